@@ -1,0 +1,64 @@
+#pragma once
+// Solves the block system's linear equations: GMRES, preconditioned by a factor that may be kept for
+// later matrices. Rows carry different physical units (N, m^2/s, m); scaling them is done in here.
+#include <memory>
+
+#include "hawser/assembly/block_system.hpp"
+
+namespace hawser {
+
+struct LinearOptions {
+  enum class Method {
+    gmres,  ///< preconditioned by an incomplete factor, overlapping Schwarz between the ranks
+    mumps   ///< preconditioned by MUMPS' complete factor: one iteration while the factor is fresh
+  };
+  Method method = Method::gmres;
+  double tolerance = 1e-6;   ///< of the residual's 2-norm to the right-hand side's, both row-scaled
+  int restart = 100;         ///< GMRES vectors kept before a restart
+  int max_iterations = 300;  ///< GMRES iterations, over all restarts
+  int fill_level = 1;        ///< of the incomplete factor
+  int overlap = 1;           ///< Schwarz overlap between ranks, in layers of the matrix graph
+
+  /// Keep the factor for later matrices until a solve with it takes more than
+  /// refresh_ratio * n + refresh_slack iterations, n being those of its first solve, or fails.
+  /// Only iterations count, never measured time: the same run twice is the same to the last bit.
+  bool keep_factor = false;
+  double refresh_ratio = 1.5;
+  int refresh_slack = 5;
+};
+
+struct LinearReport {
+  int iterations = 0;
+  double reached = 0;     ///< true residual over right-hand side, both row-scaled
+  bool factored = false;  ///< a new factor was made for this solve
+};
+
+class LinearSolver {
+ public:
+  /// The system must outlive the solver, and its matrix keep its graph.
+  LinearSolver(BlockSystem& system, LinearOptions options);
+  ~LinearSolver();
+  LinearSolver(LinearSolver&&) noexcept;
+  LinearSolver& operator=(LinearSolver&&) noexcept;
+
+  /// To be called after the matrix got new values.
+  void matrix_changed();
+
+  /// The next solve makes a new factor, whatever the refresh rule says. To be called where a run may
+  /// be restarted from, so that the restarted run repeats this one.
+  void drop_factor();
+
+  /// x = matrix^-1 rhs, from a zero initial guess. Collective. SolveError on all ranks when the matrix
+  /// is singular, a value is not finite, or GMRES fails with a fresh factor too.
+  LinearReport solve(const TpetraVector& rhs, TpetraVector& x, double tolerance);
+  LinearReport solve(const TpetraVector& rhs, TpetraVector& x);  ///< to options().tolerance
+
+  const LinearOptions& options() const;
+  int factorizations() const;  ///< made since construction
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace hawser

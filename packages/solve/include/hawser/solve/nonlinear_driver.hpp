@@ -1,0 +1,87 @@
+#pragma once
+// Newton's method (NOX) on a NonlinearProblem, stopped by the norms of the named blocks.
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/assembly/nonlinear_problem.hpp"
+#include "hawser/base/types.hpp"
+#include "hawser/solve/linear_solver.hpp"
+
+namespace hawser {
+
+struct NonlinearOptions {
+  double tolerance = 1e-8;  ///< on every block's ratio; the largest decides
+  int max_iterations = 20;
+
+  /// A block also counts as converged when its residual is below this part of |J| |x|: of a flow at
+  /// rest or uniform, all contributions are round-off themselves, and their ratio says nothing.
+  double round_off = 1e-14;
+
+  /// Halve the step, at most max_cuts times, while the residual is not admissible or has grown by more
+  /// than allowed_growth. Without line search the full step is taken or the solve fails.
+  bool line_search = true;
+  int max_cuts = 8;
+  double allowed_growth = 10;  ///< Newton may climb a little before it falls; it must not explode
+  double divergence = 1e8;     ///< growth of the residual against the first one that ends the solve
+
+  /// Linear tolerance per iteration from the rate of the last (Eisenstat and Walker, their second
+  /// choice); else LinearOptions::tolerance throughout.
+  bool forcing = false;
+  double forcing_max = 1e-2;
+};
+
+/// How far one block of rows is from balance.
+struct BlockNorm {
+  std::string block;
+  std::string field;
+  std::string unit;      ///< of residual and magnitude
+  double residual = 0;   ///< 2-norm of the residual
+  double magnitude = 0;  ///< 2-norm of the absolute contributions that cancel in it
+  double ratio = 0;      ///< residual / magnitude, 0 where the residual is below round-off
+};
+
+struct IterationReport {
+  int iteration = 0;  ///< 0: before the first update
+  double step = 0;    ///< part of the Newton update that was taken
+  int linear_iterations = 0;
+  double linear_reached = 0;
+  bool factored = false;
+  double ratio = 0;               ///< of the worst block
+  int worst = 0;                  ///< its index in `blocks`
+  std::vector<BlockNorm> blocks;  ///< as BlockSystem::blocks
+};
+
+struct NonlinearReport {
+  bool converged = false;
+  int iterations = 0;         ///< Newton updates
+  int linear_iterations = 0;  ///< in all
+  int factorizations = 0;
+  std::vector<std::vector<BlockNorm>> history;  ///< per iteration, the start included
+  std::vector<double> ratios;                   ///< the worst ratio of each
+};
+
+class NonlinearDriver {
+ public:
+  NonlinearDriver(NonlinearProblem& problem, LinearOptions linear, NonlinearOptions options);
+  ~NonlinearDriver();
+
+  /// From the guess x (on system().rows) to the solution. Collective. SolveError on all ranks when
+  /// there is none to be had; x is then the guess again. The linear factor outlives the call.
+  NonlinearReport solve(TpetraVector& x);
+
+  /// Called on every rank after each iteration, and once (iteration 0) before the first.
+  void on_iteration(std::function<void(const IterationReport&)> callback);
+
+  /// Names a row in error messages, for example by its node's position; called on the owner only.
+  void describe_row(std::function<std::string(GlobalIndex)> describe);
+
+  LinearSolver& linear_solver();
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace hawser
