@@ -1,0 +1,44 @@
+#pragma once
+// Collects every fault of a deck, so that a user mends them all in one go.
+//
+// All ranks read the same text, so all ranks collect the same faults: nothing here communicates, provided
+// that what is reported does not depend on the rank.
+#include <string>
+#include <vector>
+
+#include "hawser/deck/location.hpp"
+
+namespace hawser {
+
+class Diagnostics {
+ public:
+  void error(const Location& where, const std::string& sentence);
+  void warning(const Location& where, const std::string& sentence);
+
+  std::size_t error_count() const { return errors_.size(); }
+  bool ok() const { return errors_.empty(); }
+
+  std::string error_text() const;    ///< one line "file:line:column: sentence" per fault, by place
+  std::string warning_text() const;  ///< the same for warnings
+  void throw_if_any() const;         ///< one DeckError with error_text(), if there are errors
+
+ private:
+  struct Entry {
+    Location where;
+    std::string sentence;
+  };
+  static std::string text(std::vector<Entry> entries);
+  std::vector<Entry> errors_, warnings_;
+};
+
+/// The allowed name that `given` most probably stands for; empty when none is near. Nearness is the
+/// Damerau-Levenshtein distance without regard to case, at most a third of the length (but 1 always).
+std::string nearest_name(const std::string& given, const std::vector<std::string>& allowed);
+
+/// "; did you mean 'density'?" or, when nothing is near, "". Ready to be appended to a sentence.
+std::string did_you_mean(const std::string& given, const std::vector<std::string>& allowed);
+
+/// "a, b, c"; "none" for no words.
+std::string listed(const std::vector<std::string>& words);
+
+}  // namespace hawser

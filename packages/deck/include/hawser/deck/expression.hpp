@@ -1,0 +1,64 @@
+#pragma once
+// A number, or a formula of place and time, as decks give it: "-0.5*ramp(t, 0, 100)".
+//
+// Variables: t (s); x, y, z (m) where the moving point is now; X, Y, Z (m) where it was at the start.
+// Constant: pi. Functions, beside muParser's sin, exp, sqrt, abs, min, max, atan2, ... and "a ? b : c":
+//   ramp(t, start, duration)           0 before, 1 after, 10 s^3 - 15 s^4 + 6 s^5 between (C2 in time)
+//   ramp_distance(t, start, duration)  its integral over time, in s: the way of a ramped unit speed
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/deck/location.hpp"
+
+namespace hawser {
+
+struct SpaceTime {
+  double x = 0, y = 0, z = 0;  ///< moved position, m
+  double X = 0, Y = 0, Z = 0;  ///< reference position, m
+  double t = 0;                ///< time, s
+};
+
+/// Compiled once; copies share the compiled formula. Not for two threads at once.
+///
+/// A result that is not finite throws SolveError naming place and time. Evaluations inside an element
+/// loop therefore belong into Communicator::together or an equivalent flag.
+class Expression {
+ public:
+  Expression(double value = 0);  // NOLINT: a number is an expression
+  /// Throws DeckError when the formula is faulty.
+  explicit Expression(const std::string& formula, const Location& location = {});
+
+  double operator()(const SpaceTime& point) const;
+
+  /// Central difference over +-derivative_step(t).
+  double time_derivative(const SpaceTime& point) const;
+  /// With respect to the moved position x, y, z: central differences over +-derivative_step(x) etc.
+  std::array<double, 3> gradient(const SpaceTime& point) const;
+
+  bool is_constant() const { return !formula_; }
+  bool depends_on_time() const;
+  bool depends_on_space() const;           ///< any of x, y, z, X, Y, Z
+  bool depends_on_moved_position() const;  ///< any of x, y, z
+
+  const std::string& text() const { return text_; }
+  const Location& location() const { return location_; }
+
+  /// 6e-6 (about the cube root of the rounding unit) times the larger of |value| and 1 (s or m).
+  static double derivative_step(double value);
+
+ private:
+  struct Formula;
+  double evaluate(const SpaceTime& point) const;
+
+  double value_ = 0;  // when constant
+  std::shared_ptr<const Formula> formula_;
+  std::string text_;
+  Location location_;
+};
+
+/// One per component, "0; -0.5*ramp(t, 0, 100)"; plain numbers may be separated by blanks: "0 -0.5".
+using Expressions = std::vector<Expression>;
+
+}  // namespace hawser
