@@ -1,14 +1,16 @@
 #pragma once
 // This rank's part of the elements, and their named parts of any dimension.
 //
-// Distribution: every vertex has one owning rank. A rank holds all cells that touch a vertex it owns, so
-// the rows of owned vertices are assembled without communication and, because cells are kept in the order
-// of their rank-independent numbers, with the same order of summation on any number of ranks.
+// Distribution: every vertex has one owning rank. A rank holds all cells that touch a vertex it
+// owns, so the rows of owned vertices are assembled without communication and, because cells are
+// kept in the order of their rank-independent numbers, with the same order of summation on any
+// number of ranks.
 #include <string>
 #include <vector>
 
 #include "hawser/base/communicator.hpp"
 #include "hawser/base/types.hpp"
+#include "hawser/mesh/triangle_quality.hpp"
 
 namespace hawser {
 
@@ -16,16 +18,17 @@ enum class CellShape {
   point,     ///< one vertex
   line,      ///< two vertices
   triangle,  ///< three vertices, counter-clockwise
-  patch,     ///< three consecutive vertices a, b, c of a line region (b in the middle): discrete curvature
-  facet      ///< a boundary line's two vertices (body on the left of 0 -> 1), then the third of its triangle
+  patch,     ///< three consecutive vertices a, b, c of a line region (b in the middle)
+  facet      ///< a triangle turned so that its edge 0 -> 1 is a boundary line, body on the left
 };
 
 /// Points of one kind (vertices, split vertices or edges) that this rank knows: owned ones first.
 struct PointSet {
   LocalIndex owned = 0;          ///< points [0, owned) are this rank's
   GlobalIndex global_count = 0;  ///< over all ranks
-  std::vector<GlobalIndex> ids;  ///< rank-independent number of each local point, in [0, global_count)
-  std::vector<int> owners;       ///< owning rank of each local point
+  std::vector<GlobalIndex>
+      ids;                  ///< rank-independent number of each local point, in [0, global_count)
+  std::vector<int> owners;  ///< owning rank of each local point
   LocalIndex size() const { return static_cast<LocalIndex>(ids.size()); }
 };
 
@@ -34,42 +37,43 @@ struct Region {
   int dimension = 0;
   CellShape shape = CellShape::point;
   int vertices_per_cell = 1;
-  int edges_per_cell = 0;            ///< 3 for a triangle: edge k joins vertices k and k+1 (mod 3); 1 for a line
-  std::vector<GlobalIndex> cell_ids; ///< ascending; rank-independent
-  std::vector<int> cell_owners;      ///< the rank that counts this cell in sums over cells
-  std::vector<LocalIndex> vertices;        ///< [cell][vertices_per_cell]
-  std::vector<LocalIndex> split_vertices;  ///< the same with split numbering; empty for lines, points, patches
-  std::vector<LocalIndex> edges;           ///< [cell][edges_per_cell]
+  int edges_per_cell = 0;  ///< 3 for a triangle or facet: edge k joins vertices k and k+1 (mod 3);
+                           ///< 1 for a line
+  std::vector<GlobalIndex> cell_ids;  ///< ascending; rank-independent, in [0, cells of the region)
+  std::vector<int> cell_owners;       ///< the rank that counts this cell in sums over cells
+  std::vector<LocalIndex> vertices;   ///< [cell][vertices_per_cell]
+  std::vector<LocalIndex>
+      split_vertices;             ///< the same with split numbering; triangles and facets only
+  std::vector<LocalIndex> edges;  ///< [cell][edges_per_cell]
   LocalIndex size() const { return static_cast<LocalIndex>(cell_ids.size()); }
 };
 
-/// Regions are named by the gmsh physical groups. Of every line region inside the body (a cable) there is
-/// also "<name>/patches"; of every line region on the body's boundary "<name>/facets".
+/// Regions are named by the gmsh physical groups. Of every line region inside the body (a cable),
+/// or of a mesh without a body, there is also "<name>/patches"; of every line region on the body's
+/// boundary "<name>/facets". Every region exists on every rank, if only without cells.
 struct Mesh {
   Communicator communicator;
   int dimension = 2;
   PointSet vertices;
-  PointSet split_vertices;              ///< vertices doubled along the slit lines, one per side; tips single
+  PointSet split_vertices;  ///< vertices doubled along the slit lines, one per side; tips single
   PointSet edges;
-  std::vector<double> coordinates;      ///< reference coordinates, [local vertex][dimension], m
-  std::vector<LocalIndex> vertex_of_split;  ///< the vertex on which a split vertex sits
+  std::vector<double> coordinates;          ///< reference coordinates, [local vertex][dimension], m
+  std::vector<LocalIndex> vertex_of_split;  ///< the vertex on which it sits
   std::vector<LocalIndex> edge_ends;        ///< [local edge][2]
   std::vector<Region> regions;
 
-  const Region* find(const std::string& name) const;  ///< null when there is none (on all ranks alike)
+  const Region* find(
+      const std::string& name) const;  ///< null when there is none (on all ranks alike)
   const Region& region(const std::string& name) const;  ///< MeshError naming the regions there are
 };
 
 struct MeshOptions {
-  std::string file;                 ///< MSH 2.2 or 4.1, ASCII
-  std::vector<std::string> slits;   ///< line regions across which split vertices are doubled
+  std::string file;                ///< MSH 2.2 or 4.1, ASCII
+  std::vector<std::string> slits;  ///< line regions across which split vertices are doubled
 };
 
-/// Reads on rank 0, finds sides, edges, patches and facets there, partitions with METIS and scatters.
-/// Collective; MeshError on all ranks.
+/// Reads on rank 0, finds sides, edges, patches and facets there, partitions with METIS and
+/// scatters. Collective; MeshError on all ranks.
 Mesh read_mesh(const Communicator& communicator, const MeshOptions& options);
-
-/// Quality of a triangle, 4 sqrt(3) area / (sum of squared edges), in (-inf, 1]; 1 is equilateral.
-double triangle_quality(const double* a, const double* b, const double* c);
 
 }  // namespace hawser

@@ -1,0 +1,90 @@
+#include "line_scanner.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "hawser/base/error.hpp"
+
+namespace hawser {
+namespace {
+
+const char* const blanks = " \t\r";
+
+}  // namespace
+
+LineScanner::LineScanner(const std::string& path) : path_(path), file_(path) {
+  if (!file_) throw MeshError("cannot open the mesh file " + path);
+}
+
+bool LineScanner::next() {
+  while (std::getline(file_, text_)) {
+    ++number_;
+    position_ = 0;
+    skip_blanks();
+    if (position_ < text_.size()) return true;
+  }
+  return false;
+}
+
+void LineScanner::next(const std::string& what) {
+  if (!next()) fail("the file ends where " + what + " was expected");
+}
+
+void LineScanner::skip_blanks() {
+  position_ = std::min(text_.find_first_not_of(blanks, position_), text_.size());
+}
+
+std::string_view LineScanner::word(const std::string& what) {
+  skip_blanks();
+  if (position_ == text_.size()) fail("expected " + what + ", found the end of the line");
+  const auto end = std::min(text_.find_first_of(blanks, position_), text_.size());
+  const auto result = std::string_view(text_).substr(position_, end - position_);
+  position_ = end;
+  return result;
+}
+
+long long LineScanner::integer(const std::string& what) {
+  const auto text = word(what);
+  long long value = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || rest != text.data() + text.size()) {
+    fail("expected " + what + ", found '" + std::string(text) + "'");
+  }
+  return value;
+}
+
+long long LineScanner::count(const std::string& what) {
+  const auto value = integer(what);
+  if (value < 0) fail(what + " is negative: " + std::to_string(value));
+  return value;
+}
+
+double LineScanner::real(const std::string& what) {
+  const auto text = word(what);
+  double value = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || rest != text.data() + text.size() || !std::isfinite(value)) {
+    fail("expected " + what + ", found '" + std::string(text) + "'");
+  }
+  return value;
+}
+
+std::string LineScanner::quoted(const std::string& what) {
+  const auto begin = text_.find('"', position_);
+  const auto end = begin == std::string::npos ? begin : text_.find('"', begin + 1);
+  if (end == std::string::npos) fail("expected " + what + " in quotation marks");
+  position_ = end + 1;
+  return text_.substr(begin + 1, end - begin - 1);
+}
+
+void LineScanner::end(const std::string& after) {
+  skip_blanks();
+  if (position_ < text_.size())
+    fail("'" + std::string(word(after)) + "' is too much after " + after);
+}
+
+void LineScanner::fail(const std::string& sentence) const {
+  throw MeshError(path_ + ":" + std::to_string(number_) + ": " + sentence);
+}
+
+}  // namespace hawser

@@ -1,0 +1,42 @@
+#pragma once
+// The content of a gmsh file as written there: its own node numbers, any order.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "hawser/mesh/mesh.hpp"
+
+namespace hawser {
+
+struct MshNode {
+  long long tag;
+  int line;  ///< of the file, for messages
+  std::array<double, 3> position;
+};
+
+struct MshGroup {
+  std::string name;
+  int dimension;
+  long long tag;
+};
+
+/// An element of two groups stands here twice; elements of no group are left out.
+struct MshElement {
+  long long tag;
+  int line;
+  CellShape shape;  ///< point, line or triangle
+  int group;
+  std::array<long long, 3> nodes;
+};
+
+struct MshFile {
+  std::string path;
+  std::vector<MshNode> nodes;
+  std::vector<MshGroup> groups;
+  std::vector<MshElement> elements;
+};
+
+/// MSH 2.2 and 4.1, ASCII. MeshError with file and line.
+MshFile read_msh(const std::string& path);
+
+}  // namespace hawser

@@ -1,0 +1,195 @@
+#include "whole_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "hawser/base/error.hpp"
+
+namespace hawser {
+namespace {
+
+CellShape shape_of_dimension(int dimension) {
+  return dimension == 0 ? CellShape::point : dimension == 1 ? CellShape::line : CellShape::triangle;
+}
+
+class Numbering {
+ public:
+  explicit Numbering(const MshFile& file) : file_(file) {}
+
+  Mesh mesh() {
+    sort_nodes();
+    find_used_nodes();
+    Mesh mesh;
+    add_vertices(mesh);
+    add_regions(mesh);
+    return mesh;
+  }
+
+ private:
+  [[noreturn]] void fail(int line, const std::string& sentence) const {
+    throw MeshError(file_.path + ":" + std::to_string(line) + ": " + sentence);
+  }
+
+  static std::string name(const MshElement& element) {
+    return "element " + std::to_string(element.tag);
+  }
+
+  // By their numbers in the file, so that the same mesh in another format or order of blocks is the
+  // same mesh here.
+  void sort_nodes() {
+    nodes_ = file_.nodes;
+    std::stable_sort(nodes_.begin(), nodes_.end(),
+                     [](const MshNode& a, const MshNode& b) { return a.tag < b.tag; });
+    const auto twice = std::adjacent_find(nodes_.begin(), nodes_.end(),
+                                          [](auto& a, auto& b) { return a.tag == b.tag; });
+    if (twice != nodes_.end()) {
+      fail((twice + 1)->line, "node " + std::to_string(twice->tag) + " is defined twice");
+    }
+  }
+
+  std::size_t place(const MshElement& element, long long tag) const {
+    const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), tag,
+                                        [](const MshNode& a, long long t) { return a.tag < t; });
+    if (found == nodes_.end() || found->tag != tag) {
+      fail(element.line, name(element) + " refers to node " + std::to_string(tag) +
+                             ", which the file does not define");
+    }
+    return static_cast<std::size_t>(found - nodes_.begin());
+  }
+
+  // Nodes of no cell (centres of arcs, points of the geometry) are dropped: they would be empty
+  // rows.
+  void find_used_nodes() {
+    vertex_of_node_.assign(nodes_.size(), -1);
+    for (const auto& element : file_.elements) {
+      const int n = make_region("", element.shape).vertices_per_cell;
+      for (int k = 0; k < n; ++k) {
+        vertex_of_node_[place(element, element.nodes[static_cast<std::size_t>(k)])] = 0;
+      }
+    }
+    LocalIndex count = 0;
+    for (auto& vertex : vertex_of_node_) {
+      if (vertex == 0) vertex = count++;
+    }
+  }
+
+  void add_vertices(Mesh& mesh) const {
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+      if (vertex_of_node_[n] < 0) continue;
+      const auto& [x, y, z] = nodes_[n].position;
+      if (z != 0) {
+        fail(nodes_[n].line, "node " + std::to_string(nodes_[n].tag) +
+                                 " lies off the plane z = 0; only plane meshes are read");
+      }
+      mesh.coordinates.insert(mesh.coordinates.end(), {x, y});
+      mesh.vertices.ids.push_back(mesh.vertices.size());
+    }
+    mesh.vertices.global_count = mesh.vertices.size();
+  }
+
+  void add_regions(Mesh& mesh) {
+    for (const auto& group : file_.groups) {
+      if (group.dimension < 0 || group.dimension > 2) {
+        throw MeshError(file_.path + ": the physical group '" + group.name + "' has dimension " +
+                        std::to_string(group.dimension) + "; only 0, 1 and 2 are read");
+      }
+      mesh.regions.push_back(make_region(group.name, shape_of_dimension(group.dimension)));
+    }
+    elements_.resize(mesh.regions.size());
+    for (const auto& element : file_.elements) {
+      auto& region = mesh.regions[static_cast<std::size_t>(element.group)];
+      elements_[static_cast<std::size_t>(element.group)].push_back(&element);
+      region.cell_ids.push_back(region.size());
+      add_cell(mesh, region, element);
+    }
+    for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
+      if (mesh.regions[r].size() == 0) {
+        throw MeshError(file_.path + ": the physical group '" + mesh.regions[r].name +
+                        "' has no elements");
+      }
+      refuse_repetition(mesh.regions[r], elements_[r]);
+    }
+  }
+
+  void add_cell(const Mesh& mesh, Region& region, const MshElement& element) {
+    std::vector<LocalIndex> cell;
+    for (int k = 0; k < region.vertices_per_cell; ++k) {
+      const auto tag = element.nodes[static_cast<std::size_t>(k)];
+      const auto vertex = vertex_of_node_[place(element, tag)];
+      if (std::find(cell.begin(), cell.end(), vertex) != cell.end()) {
+        fail(element.line, name(element) + " names node " + std::to_string(tag) + " twice");
+      }
+      cell.push_back(vertex);
+    }
+    if (region.shape == CellShape::triangle) {
+      const auto x = [&](std::size_t k) { return &mesh.coordinates[2 * std::size_t(cell[k])]; };
+      const double quality = triangle_quality(x(0), x(1), x(2));
+      // Far below what any mesher writes, far above the round-off of three points on a line.
+      if (std::abs(quality) < 1e-10) {
+        fail(element.line, name(element) + " of '" + region.name + "' is a triangle without area");
+      }
+      if (quality < 0) std::swap(cell[1], cell[2]);
+    }
+    region.vertices.insert(region.vertices.end(), cell.begin(), cell.end());
+  }
+
+  void refuse_repetition(const Region& region,
+                         const std::vector<const MshElement*>& elements) const {
+    const auto n = static_cast<std::size_t>(region.vertices_per_cell);
+    std::vector<std::pair<std::vector<LocalIndex>, std::size_t>> cells;
+    for (std::size_t c = 0; c < elements.size(); ++c) {
+      const auto* begin = &region.vertices[n * c];
+      cells.emplace_back(std::vector<LocalIndex>(begin, begin + n), c);
+      std::sort(cells.back().first.begin(), cells.back().first.end());
+    }
+    std::sort(cells.begin(), cells.end());
+    for (std::size_t c = 1; c < cells.size(); ++c) {
+      if (cells[c].first != cells[c - 1].first) continue;
+      const auto& again = *elements[cells[c].second];
+      fail(again.line, name(again) + " of '" + region.name + "' has the same nodes as " +
+                           name(*elements[cells[c - 1].second]));
+    }
+  }
+
+  const MshFile& file_;
+  std::vector<MshNode> nodes_;                            // by number
+  std::vector<LocalIndex> vertex_of_node_;                // -1: dropped
+  std::vector<std::vector<const MshElement*>> elements_;  // per region, for messages
+};
+
+}  // namespace
+
+Region make_region(const std::string& name, CellShape shape) {
+  Region region;
+  region.name = name;
+  region.shape = shape;
+  switch (shape) {
+    case CellShape::point: break;
+    case CellShape::line:
+      region.dimension = 1;
+      region.vertices_per_cell = 2;
+      region.edges_per_cell = 1;
+      break;
+    case CellShape::triangle:
+      region.dimension = 2;
+      region.vertices_per_cell = 3;
+      region.edges_per_cell = 3;
+      break;
+    case CellShape::patch:
+      region.dimension = 1;
+      region.vertices_per_cell = 3;
+      break;
+    case CellShape::facet:
+      region.dimension = 1;
+      region.vertices_per_cell = 3;
+      region.edges_per_cell = 3;
+      break;
+  }
+  return region;
+}
+
+Mesh check_and_number(const MshFile& file) { return Numbering(file).mesh(); }
+
+}  // namespace hawser
