@@ -36,7 +36,7 @@ function(hawser_find_library target header library)
   mark_as_advanced(${stem}_INCLUDE ${stem}_LIBRARY)
   add_library(${target} UNKNOWN IMPORTED GLOBAL)
   set_target_properties(${target} PROPERTIES IMPORTED_LOCATION ${${stem}_LIBRARY}
-    INTERFACE_SYSTEM_INCLUDE_DIRECTORIES ${${stem}_INCLUDE})
+    INTERFACE_INCLUDE_DIRECTORIES ${${stem}_INCLUDE})
 endfunction()
 
 hawser_find_library(METIS::METIS metis.h metis)
