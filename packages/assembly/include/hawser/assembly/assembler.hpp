@@ -1,0 +1,61 @@
+#pragma once
+// The element loop: from a state to the residual and the block system's matrix.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/assembly/block_system.hpp"
+#include "hawser/assembly/governance.hpp"
+#include "hawser/fields/state.hpp"
+
+namespace hawser {
+
+class Assembler {
+ public:
+  /// `dofs` and `modules` must outlive the assembler. Collective.
+  Assembler(const DofMap& dofs, const std::vector<PhysicsModule>& modules);
+  ~Assembler();
+  Assembler(Assembler&&) noexcept;
+  Assembler& operator=(Assembler&&) = delete;
+
+  const DofMap& dofs() const;
+  BlockSystem& system();
+
+  /// Local displacement rows (owned and ghost) that follow the velocity, and their velocity rows.
+  struct KinematicPair {
+    LocalIndex displacement;
+    LocalIndex velocity;
+  };
+  const std::vector<KinematicPair>& kinematic_pairs() const;
+
+  static constexpr int all_modules = -1;
+
+  /// total[owned row] = sum of the kernels' contributions, before any condition; magnitude = sum of their
+  /// absolute values. With a module's index: what that module alone adds, also to rows it does not govern.
+  /// SolveError on all ranks when a cell is inverted or a contribution not finite.
+  void residual(const State& state, std::vector<double>& total, std::vector<double>& magnitude,
+                int module = all_modules) const;
+
+  /// The tangent of all kernels in system().matrix, before any condition. Same errors.
+  /// Only columns of fields whose bit (index in dofs().fields()) is set in `columns` are filled.
+  void tangent(const State& state, unsigned columns = ~0U);
+
+  /// product[owned row] = tangent times direction (per local row), without the matrix. Same errors.
+  void tangent_product(const State& state, const std::vector<double>& direction,
+                       std::vector<double>& product) const;
+
+  // Rows of the matrix, for conditions: local columns ascending.
+  double* row_values(LocalIndex row);
+  const LocalIndex* row_columns(LocalIndex row) const;
+  int row_size(LocalIndex row) const;
+
+  /// Copies owned values into `local` and fills its ghost entries from their owners. Collective.
+  void spread(const TpetraVector& owned, std::vector<double>& local) const;
+  void spread(std::vector<double>& local) const;  ///< the same from the owned entries of `local`
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace hawser

@@ -1,0 +1,272 @@
+#include "hawser/assembly/assembler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+
+#include "hawser/base/error.hpp"
+#include "src/sparsity.hpp"
+
+namespace hawser {
+namespace {
+
+/// Remembers the first cell that could not be evaluated.
+struct CellFailure {
+  CellStatus status = CellStatus::ok;
+  const KernelCells* cells = nullptr;
+  LocalIndex cell = 0;
+
+  void note(CellStatus found, const KernelCells& where, LocalIndex which) {
+    if (status != CellStatus::ok || found == CellStatus::ok) return;
+    status = found;
+    cells = &where;
+    cell = which;
+  }
+};
+
+void throw_together(const Mesh& mesh, const State& state, const CellFailure& failure) {
+  mesh.communicator.together([&] {
+    if (failure.status == CellStatus::ok) return;
+    const Region& region = *failure.cells->region;
+    const auto per_cell = static_cast<std::size_t>(region.vertices_per_cell);
+    double centre[3] = {0, 0, 0};
+    for (std::size_t v = 0; v < per_cell; ++v)
+      for (int j = 0; j < mesh.dimension; ++j) {
+        const LocalIndex vertex = region.vertices[static_cast<std::size_t>(failure.cell) * per_cell + v];
+        centre[j] += mesh.coordinates[static_cast<std::size_t>(vertex * mesh.dimension + j)] /
+                     region.vertices_per_cell;
+      }
+    std::ostringstream text;
+    text << "cell " << region.cell_ids[static_cast<std::size_t>(failure.cell)] << " of region '" << region.name
+         << "', which started near (" << centre[0] << ", " << centre[1] << ") m, "
+         << (failure.status == CellStatus::inverted ? "turned inside out (det F <= 0)"
+                                                    : "gives a residual that is not a number")
+         << " at t = " << state.time << " s";
+    throw SolveError(text.str());
+  });
+}
+
+}  // namespace
+
+struct Assembler::Implementation {
+  const DofMap* dofs;
+  std::vector<KernelCells> kernels;
+  Sparsity sparsity;
+  BlockSystem system;
+  Teuchos::RCP<const Tpetra::Import<>> ghosts;
+  double* matrix_values = nullptr;
+  std::vector<KinematicPair> pairs;
+
+  Implementation(const DofMap& map, const std::vector<PhysicsModule>& modules)
+      : dofs(&map), system{map.mesh().communicator, {}, {}, {}, {}} {
+    const Governance governance = find_governors(map, modules);
+    for (int m = 0; m < static_cast<int>(modules.size()); ++m)
+      for (const auto& kernel : modules[static_cast<std::size_t>(m)].kernels)
+        kernels.push_back(resolve(map, governance, *kernel, m));
+    make_maps();
+    find_pairs(governance);
+    std::vector<std::pair<LocalIndex, LocalIndex>> extra;
+    for (const KinematicPair& pair : pairs) extra.emplace_back(pair.displacement, pair.velocity);
+    sparsity = find_sparsity(map.owned(), kernels, extra);
+    for (KernelCells& cells : kernels) find_positions(sparsity, cells);
+    make_matrix();
+    name_blocks(governance, modules);
+  }
+
+  void make_maps() {
+    using Map = TpetraMap;
+    const auto comm = Teuchos::rcp(new Teuchos::MpiComm<int>(dofs->mesh().communicator.mpi()));
+    const auto& global = dofs->global_rows();
+    const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+    const Teuchos::ArrayView<const GlobalIndex> all(global.data(), static_cast<Teuchos::Ordinal>(global.size()));
+    system.rows = Teuchos::rcp(new Map(unknown, all.view(0, dofs->owned()), 0, comm));
+    system.columns = Teuchos::rcp(new Map(unknown, all, 0, comm));
+    ghosts = Teuchos::rcp(new Tpetra::Import<>(system.rows, system.columns));
+  }
+
+  // A ghost node may belong to a structure whose cells this rank does not hold: its owner knows.
+  void find_pairs(const Governance& governance) {
+    std::vector<double> driven(static_cast<std::size_t>(dofs->rows()), 0);
+    for (std::size_t row = 0; row < governance.governor.size(); ++row)
+      if (governance.governor[row] == Governance::kinematic) driven[row] = 1;
+    spread(driven);
+    const int velocity = dofs->find("velocity");
+    for (LocalIndex row = 0; row < dofs->rows(); ++row) {
+      if (driven[static_cast<std::size_t>(row)] == 0) continue;
+      const RowInfo& info = dofs->info(row);
+      const LocalIndex first = velocity < 0 ? -1 : dofs->first_row(velocity, info.kind, info.point);
+      if (first < 0) throw std::logic_error("a structure's displacement needs a velocity at the same nodes");
+      pairs.push_back({row, first + info.component});
+    }
+  }
+
+  void make_matrix() {
+    using Matrix = TpetraMatrix;
+    using Local = Matrix::local_matrix_device_type;
+    typename Local::row_map_type::non_const_type row_begin("row_begin", sparsity.row_begin.size());
+    typename Local::index_type columns("columns", sparsity.columns.size());
+    typename Local::values_type values("values", sparsity.columns.size());
+    std::copy(sparsity.row_begin.begin(), sparsity.row_begin.end(), row_begin.data());
+    std::copy(sparsity.columns.begin(), sparsity.columns.end(), columns.data());
+    system.matrix = Teuchos::rcp(new Matrix(system.rows, system.columns, row_begin, columns, values));
+    system.matrix->expertStaticFillComplete(system.rows, system.rows, ghosts);
+    const auto local = system.matrix->getLocalMatrixHost();
+    matrix_values = local.values.data();
+    // Positions were resolved for exactly this order.
+    if (!std::equal(sparsity.columns.begin(), sparsity.columns.end(), local.graph.entries.data()))
+      throw std::logic_error("Tpetra reordered the matrix's columns");
+  }
+
+  void name_blocks(const Governance& governance, const std::vector<PhysicsModule>& modules) {
+    for (LocalIndex row = 0; row < dofs->owned(); ++row) block_of(governance, modules, row).rows.push_back(row);
+  }
+
+  // Every rank lists the same blocks in the same order, also those of which it has no row.
+  Block& block_of(const Governance& governance, const std::vector<PhysicsModule>& modules, LocalIndex row) {
+    if (system.blocks.empty())
+      for (const PhysicsModule& module : modules)
+        for (const FieldDescription& field : dofs->fields()) {
+          const auto same = [&](const Block& b) { return b.name == module.block && b.field == field.name; };
+          if (std::none_of(system.blocks.begin(), system.blocks.end(), same))
+            system.blocks.push_back({module.block, field.name, field.residual_unit, {}});
+        }
+    const int module = std::max(0, governance.block_of_row[static_cast<std::size_t>(row)]);
+    const std::string& name = modules[static_cast<std::size_t>(module)].block;
+    const std::string& field = dofs->fields()[static_cast<std::size_t>(dofs->info(row).field)].name;
+    return *std::find_if(system.blocks.begin(), system.blocks.end(),
+                         [&](const Block& b) { return b.name == name && b.field == field; });
+  }
+
+  void drop_empty_blocks() {
+    auto& blocks = system.blocks;
+    blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
+                                [&](const Block& block) { return !system.communicator.any(!block.rows.empty()); }),
+                 blocks.end());
+  }
+
+  void spread(std::vector<double>& local) const {
+    TpetraVector owned(system.rows);
+    const auto view = owned.getDataNonConst();
+    std::copy(local.begin(), local.begin() + dofs->owned(), view.begin());
+    spread(owned, local);
+  }
+
+  void spread(const TpetraVector& owned, std::vector<double>& local) const {
+    TpetraVector all(system.columns);
+    all.doImport(owned, *ghosts, Tpetra::INSERT);
+    const auto view = all.getData();
+    local.assign(view.begin(), view.end());
+  }
+};
+
+Assembler::Assembler(const DofMap& dofs, const std::vector<PhysicsModule>& modules)
+    : implementation_(std::make_unique<Implementation>(dofs, modules)) {
+  implementation_->drop_empty_blocks();
+}
+Assembler::~Assembler() = default;
+Assembler::Assembler(Assembler&&) noexcept = default;
+
+const DofMap& Assembler::dofs() const { return *implementation_->dofs; }
+BlockSystem& Assembler::system() { return implementation_->system; }
+const std::vector<Assembler::KinematicPair>& Assembler::kinematic_pairs() const { return implementation_->pairs; }
+
+void Assembler::residual(const State& state, std::vector<double>& total, std::vector<double>& magnitude,
+                         int module) const {
+  const DofMap& dofs = *implementation_->dofs;
+  total.assign(static_cast<std::size_t>(dofs.owned()), 0);
+  magnitude.assign(static_cast<std::size_t>(dofs.owned()), 0);
+  CellFailure failure;
+  for (const KernelCells& cells : implementation_->kernels) {
+    if (module != all_modules && cells.module != module) continue;
+    const auto n = static_cast<std::size_t>(cells.unknowns());
+    const std::vector<char>& counts = module == all_modules ? cells.writes : cells.adds;
+    CellGatherer gatherer(cells, dofs.mesh(), state);
+    std::vector<double> local(n);
+    for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
+      failure.note(cells.kernel->residual(gatherer.gather(cell), local.data()), cells, cell);
+      const std::size_t begin = static_cast<std::size_t>(cell) * n;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (counts[begin + i] == 0) continue;
+        const auto row = static_cast<std::size_t>(cells.rows[begin + i]);
+        total[row] += local[i];
+        magnitude[row] += std::abs(local[i]);
+      }
+    }
+  }
+  throw_together(dofs.mesh(), state, failure);
+}
+
+void Assembler::tangent(const State& state, unsigned columns) {
+  const DofMap& dofs = *implementation_->dofs;
+  double* const values = implementation_->matrix_values;
+  std::fill(values, values + implementation_->sparsity.columns.size(), 0.0);
+  CellFailure failure;
+  for (const KernelCells& cells : implementation_->kernels) {
+    const auto n = static_cast<std::size_t>(cells.unknowns());
+    unsigned active = 0;
+    for (std::size_t f = 0; f < cells.fields.size(); ++f)
+      if (cells.fields[f] >= 0 && (columns >> cells.fields[f] & 1U) != 0) active |= 1U << f;
+    CellGatherer gatherer(cells, dofs.mesh(), state);
+    std::vector<double> local(n);
+    std::vector<double> local_tangent(n * n);
+    for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
+      failure.note(
+          cells.kernel->tangent(gatherer.gather(cell), active, local.data(), local_tangent.data()), cells, cell);
+      const int* const positions = &cells.positions[static_cast<std::size_t>(cell) * n * n];
+      for (std::size_t k = 0; k < n * n; ++k)
+        if (positions[k] >= 0) values[positions[k]] += local_tangent[k];
+    }
+  }
+  throw_together(dofs.mesh(), state, failure);
+}
+
+void Assembler::tangent_product(const State& state, const std::vector<double>& direction,
+                                std::vector<double>& product) const {
+  const DofMap& dofs = *implementation_->dofs;
+  product.assign(static_cast<std::size_t>(dofs.owned()), 0);
+  CellFailure failure;
+  for (const KernelCells& cells : implementation_->kernels) {
+    const auto n = static_cast<std::size_t>(cells.unknowns());
+    CellGatherer gatherer(cells, dofs.mesh(), state);
+    std::vector<double> local(n);
+    std::vector<double> local_tangent(n * n);
+    for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
+      failure.note(cells.kernel->tangent(gatherer.gather(cell), all_columns, local.data(), local_tangent.data()),
+                   cells, cell);
+      const std::size_t begin = static_cast<std::size_t>(cell) * n;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (cells.writes[begin + i] == 0) continue;
+        double sum = 0;
+        for (std::size_t j = 0; j < n; ++j)
+          if (cells.rows[begin + j] >= 0)
+            sum += local_tangent[i * n + j] * direction[static_cast<std::size_t>(cells.rows[begin + j])];
+        product[static_cast<std::size_t>(cells.rows[begin + i])] += sum;
+      }
+    }
+  }
+  throw_together(dofs.mesh(), state, failure);
+}
+
+double* Assembler::row_values(LocalIndex row) {
+  return implementation_->matrix_values + implementation_->sparsity.row_begin[static_cast<std::size_t>(row)];
+}
+const LocalIndex* Assembler::row_columns(LocalIndex row) const {
+  const Sparsity& sparsity = implementation_->sparsity;
+  return sparsity.columns.data() + sparsity.row_begin[static_cast<std::size_t>(row)];
+}
+int Assembler::row_size(LocalIndex row) const {
+  const auto& begin = implementation_->sparsity.row_begin;
+  return static_cast<int>(begin[static_cast<std::size_t>(row) + 1] - begin[static_cast<std::size_t>(row)]);
+}
+
+void Assembler::spread(const TpetraVector& owned, std::vector<double>& local) const {
+  implementation_->spread(owned, local);
+}
+void Assembler::spread(std::vector<double>& local) const { implementation_->spread(local); }
+
+}  // namespace hawser

@@ -1,0 +1,49 @@
+#include "hawser/assembly/field_table.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "hawser/base/error.hpp"
+
+namespace hawser {
+
+FieldTable gather_fields(const std::vector<PhysicsModule>& modules) {
+  struct Entry {
+    FieldDescription description;
+    RateRule rule;
+    bool kinematic;
+  };
+  std::vector<Entry> entries;
+  for (const PhysicsModule& module : modules)
+    for (const auto& kernel : module.kernels)
+      for (const FieldUse& use : kernel->fields()) {
+        if (use.role == Role::reads) continue;
+        auto entry = std::find_if(entries.begin(), entries.end(),
+                                  [&](const Entry& e) { return e.description.name == use.name; });
+        if (entry == entries.end()) {
+          entries.push_back(
+              {{use.name, use.unit, use.residual_unit, use.components, use.basis, use.split, {}}, use.rate_rule, false});
+          entry = entries.end() - 1;
+        }
+        FieldDescription& field = entry->description;
+        if (field.components != use.components || field.basis != use.basis || field.unit != use.unit ||
+            field.split != use.split || entry->rule != use.rate_rule)
+          throw PluginError("module <" + module.name + "> and an earlier one describe the field '" + use.name +
+                            "' differently: unit, components, basis, split and rate must agree");
+        entry->kinematic = entry->kinematic || use.role == Role::kinematic;
+        if (std::find(field.regions.begin(), field.regions.end(), kernel->region()) == field.regions.end())
+          field.regions.push_back(kernel->region());
+      }
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    if (a.kinematic != b.kinematic) return a.kinematic;
+    return a.description.components > b.description.components;
+  });
+  FieldTable table;
+  for (Entry& entry : entries) {
+    table.fields.push_back(std::move(entry.description));
+    table.rate_rules.push_back(entry.rule);
+  }
+  return table;
+}
+
+}  // namespace hawser

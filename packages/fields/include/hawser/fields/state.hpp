@@ -1,0 +1,22 @@
+#pragma once
+// All values and rates at one time, for every local row (owned and ghost).
+#include <vector>
+
+#include "hawser/base/types.hpp"
+
+namespace hawser {
+
+struct State {
+  double time = 0;               ///< s
+  double step = 0;               ///< s; the step that led here; infinite in a steady solve
+  std::vector<double> value;     ///< per local row
+  std::vector<double> rate;      ///< d/dt at fixed reference point; 0 for fields without a rate
+  std::vector<double> accepted;  ///< values at the last accepted step
+
+  // How a rate follows from the unknowns at the same node: d rate / d value, and for a structure's
+  // displacement, whose rate is the velocity, d rate / d velocity.
+  std::vector<double> rate_slope;
+  std::vector<double> rate_partner;
+};
+
+}  // namespace hawser

@@ -1,0 +1,68 @@
+#include "ale_fluid.hpp"
+
+#include "fluid_kernel.hpp"
+#include "hawser/physics/module_registry.hpp"
+#include "outflow_kernel.hpp"
+
+namespace hawser {
+namespace {
+
+struct Outflow {
+  std::string on;
+  double pressure = 0;
+  double backflow = 0;
+  bool keeps_poiseuille = true;
+
+  static Spec<Outflow> spec() {
+    using P = Outflow;
+    return Spec<P>("outflow", "A boundary through which the fluid leaves.")
+        .attribute("on", &P::on, required(), "Boundary region.")
+        .choice("kind", &P::keeps_poiseuille, required(), {{"pressure", true}, {"traction-free", false}},
+                "What the outside does: \"pressure\" is t = -p0 n + mu (grad v)^T n, which leaves a developed "
+                "channel flow undisturbed; \"traction-free\" is t = -p0 n, a free surface.")
+        .attribute("pressure", &P::pressure, "Pa", "Outside pressure p0.")
+        .attribute("backflow", &P::backflow, "1", between(0, 1),
+                   "Share of the momentum flux that resists where fluid flows back in; 0.5 is ample.");
+  }
+};
+
+struct AleFluid {
+  std::string region;
+  double density = 1000;
+  double viscosity = 1;
+  std::vector<double> body_force = {0, 0};
+  std::vector<Outflow> outflows;
+
+  static Spec<AleFluid> spec() {
+    using P = AleFluid;
+    return Spec<P>("ale-fluid",
+                   "Incompressible Navier-Stokes flow on a moving mesh; linear velocity and pressure with "
+                   "SUPG, PSPG and LSIC stabilisation.")
+        .attribute("region", &P::region, required(), "Region that the fluid fills.")
+        .attribute("density", &P::density, "kg/m^3", positive(), "Mass density.")
+        .attribute("viscosity", &P::viscosity, "Pa s", required() && positive(),
+                   "Dynamic viscosity (density times the kinematic, or eddy, viscosity).")
+        .attribute("body-force", &P::body_force, "m/s^2", length(2), "Body force per unit mass.")
+        .children(&P::outflows);
+  }
+};
+
+PhysicsModule make_ale_fluid(const AleFluid& deck) {
+  PhysicsModule module{"ale-fluid", "fluid", {}, {}};
+  FluidProperties fluid;
+  fluid.density = deck.density;
+  fluid.viscosity = deck.viscosity;
+  for (std::size_t i = 0; i < 2; ++i) fluid.body_force[i] = deck.body_force[i];
+  module.kernels.push_back(std::make_unique<FluidKernel>(deck.region, fluid));
+  for (const Outflow& outflow : deck.outflows)
+    module.kernels.push_back(std::make_unique<OutflowKernel>(
+        outflow.on + "/facets", OutflowProperties{outflow.pressure, deck.density, deck.viscosity,
+                                                  outflow.keeps_poiseuille, outflow.backflow}));
+  return module;
+}
+
+}  // namespace
+
+void register_ale_fluid(ModuleRegistry& registry) { registry.add<AleFluid>(make_ale_fluid); }
+
+}  // namespace hawser

@@ -1,0 +1,129 @@
+#pragma once
+// Incompressible Navier-Stokes flow on a moving mesh, at a quadrature point (theory.md, equations 1-8).
+#include <array>
+
+#include "hawser/physics/moving_frame.hpp"
+#include "hawser/physics/point_kernel.hpp"
+
+namespace hawser {
+
+struct FluidProperties {
+  double density = 1000;          ///< kg/m^3
+  double viscosity = 1;           ///< dynamic, Pa s
+  double body_force[2] = {0, 0};  ///< per unit mass, m/s^2
+};
+
+/// Linear velocity and pressure with residual-based SUPG, PSPG and LSIC stabilisation, time scales from the
+/// metric of the moved element (Bazilevs et al., Comput. Methods Appl. Mech. Engrg. 197 (2007) 173-201).
+class FluidKernel : public PointKernel<FluidKernel> {
+ public:
+  static constexpr int dimension = 2;
+  static constexpr std::array<FieldUse, 3> uses = {
+      StandardFields<2>::velocity.as(Role::adds, need::value | need::rate | need::gradient),
+      StandardFields<2>::pressure.as(Role::adds, need::value | need::gradient),
+      StandardFields<2>::displacement.as(Role::reads, need::rate | need::gradient)};
+  static constexpr Slot<0> velocity{};
+  static constexpr Slot<1> pressure{};
+  static constexpr Slot<2> displacement{};
+
+  FluidKernel(std::string region, const FluidProperties& properties)
+      : PointKernel(std::move(region)), properties_(properties) {}
+
+  template <class Point, class Form>
+  void weak_form(const Point& at, Form& out) const {
+    using T = typename Point::Number;
+    constexpr int D = dimension;
+    const double rho = properties_.density;
+    const double mu = properties_.viscosity;
+    const MovingFrame<T, D> frame(at[displacement].gradient);
+    out.inverted = frame.inverted();
+    if (out.inverted) return;
+
+    const auto& v = at[velocity];
+    const auto& p = at[pressure];
+    const Tensor<T, D> grad_v = frame.spatial(v.gradient);
+    const Vector<T, D> grad_p = frame.spatial(p.gradient);
+    Vector<T, D> convection;  // c = v - w, relative to the mesh
+    for (int i = 0; i < D; ++i) convection[i] = v.value[i] - at[displacement].rate[i];
+    const Vector<T, D> convected = multiply(grad_v, convection);
+    Vector<T, D> inertia;  // rho (dv/dt + c . grad v - b)
+    for (int i = 0; i < D; ++i)
+      inertia[i] = rho * (v.rate[i] + convected[i] - properties_.body_force[i]);
+    const T divergence = trace(grad_v);
+
+    const Scales<T> tau = time_scales<T>(at, frame, convection);
+    Vector<T, D> subscale;  // tau_M times the strong residual; the viscous term vanishes for linear shapes
+    for (int i = 0; i < D; ++i) subscale[i] = tau.momentum * (inertia[i] + grad_p[i]);
+    const T mean_stress = rho * tau.continuity * divergence - p.value;
+
+    Tensor<T, D> stress;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j)
+        stress(i, j) = mu * (grad_v(i, j) + grad_v(j, i)) + subscale[i] * convection[j];
+    for (int i = 0; i < D; ++i) stress(i, i) += mean_stress;
+
+    for (int i = 0; i < D; ++i) out[velocity].source[i] = frame.volume * inertia[i];
+    out[velocity].flux = frame.pull_back(stress);
+    out[pressure].source = frame.volume * divergence;
+    Vector<T, D> stabilised;
+    for (int i = 0; i < D; ++i) stabilised[i] = subscale[i] / rho;
+    out[pressure].flux = frame.pull_back(stabilised);
+  }
+
+  std::vector<double> sample_amplitudes() const override { return {1.0, 100.0, 0.05}; }
+
+ private:
+  template <class T>
+  struct Scales {
+    T momentum;    ///< s
+    T continuity;  ///< m^2/s
+  };
+
+  /// tau_M = (4/dt^2 + c.G c + C nu^2 G:G)^-1/2,  tau_C = 1/(tau_M tr G), G the metric of the moved cell.
+  /// The viscous term keeps the root away from zero even at rest in a steady solve.
+  template <class T, class Point>
+  Scales<T> time_scales(const Point& at, const MovingFrame<T, dimension>& frame,
+                        const Vector<T, dimension>& convection) const {
+    constexpr int D = dimension;
+    constexpr double inverse_estimate = 36.0;  // of linear shapes on simplices
+    const double nu = properties_.viscosity / properties_.density;
+    const Tensor<T, D> to_cell = multiply_constant(at.inverse_jacobian, frame.inverse);
+    T trace_metric = 0.0;
+    T metric_squared = 0.0;
+    Tensor<T, D> metric;
+    for (int i = 0; i < D; ++i)
+      for (int j = i; j < D; ++j) {
+        T sum = to_cell(0, i) * to_cell(0, j);
+        for (int k = 1; k < D; ++k) sum += to_cell(k, i) * to_cell(k, j);
+        metric(i, j) = sum;
+        metric(j, i) = sum;
+        metric_squared += (i == j ? 1.0 : 2.0) * sum * sum;
+      }
+    trace_metric = trace(metric);
+    const Vector<T, D> metric_c = multiply(metric, convection);
+    const T inverse_square = 4.0 / (at.step * at.step) + dot(convection, metric_c) +
+                             inverse_estimate * nu * nu * metric_squared;
+    using std::sqrt;
+    Scales<T> scales;
+    const T inverse = sqrt(inverse_square);
+    scales.momentum = 1.0 / inverse;
+    scales.continuity = inverse / trace_metric;
+    return scales;
+  }
+
+  template <class T>
+  static Tensor<T, dimension> multiply_constant(const Tensor<double, dimension>& a,
+                                                const Tensor<T, dimension>& b) {
+    Tensor<T, dimension> result;
+    for (int i = 0; i < dimension; ++i)
+      for (int j = 0; j < dimension; ++j) {
+        result(i, j) = a(i, 0) * b(0, j);
+        for (int k = 1; k < dimension; ++k) result(i, j) += a(i, k) * b(k, j);
+      }
+    return result;
+  }
+
+  FluidProperties properties_;
+};
+
+}  // namespace hawser

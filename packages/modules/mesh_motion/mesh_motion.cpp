@@ -1,0 +1,35 @@
+#include "mesh_motion.hpp"
+
+#include "hawser/physics/module_registry.hpp"
+#include "mesh_motion_kernel.hpp"
+
+namespace hawser {
+namespace {
+
+struct MeshMotion : MeshStiffness {
+  std::string region;
+
+  static Spec<MeshMotion> spec() {
+    using P = MeshMotion;
+    return Spec<P>("mesh-motion", "Moves the mesh as a linear elastic body, stiffer where cells are small.")
+        .attribute("region", &P::region, required(), "Region whose mesh moves.")
+        .choice("reference", &P::incremental, {{"incremental", true}, {"total", false}},
+                "Elastic about the last accepted configuration (long tows) or about the initial one "
+                "(periodic motion: the mesh returns where it was).")
+        .attribute("stiffening-power", &P::power, "1", non_negative(),
+                   "Young's modulus goes with the cell's area to minus this power.")
+        .attribute("poisson-ratio", &P::poisson, "1", between(0, 0.49), "Poisson's ratio of the mesh.");
+  }
+};
+
+PhysicsModule make_mesh_motion(const MeshMotion& deck) {
+  PhysicsModule module{"mesh-motion", "mesh", {}, {}};
+  module.kernels.push_back(std::make_unique<MeshMotionKernel>(deck.region, deck));
+  return module;
+}
+
+}  // namespace
+
+void register_mesh_motion(ModuleRegistry& registry) { registry.add<MeshMotion>(make_mesh_motion); }
+
+}  // namespace hawser

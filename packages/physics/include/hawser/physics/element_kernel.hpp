@@ -1,0 +1,105 @@
+#pragma once
+// A line, boundary or structural term, written per element in its nodal unknowns.
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <Sacado.hpp>
+
+#include "hawser/physics/kernel.hpp"
+
+namespace hawser {
+
+/// Derived has:  static constexpr int dimension, nodes;
+///               static constexpr std::array<FieldUse, n> uses;   (all fields have `nodes` nodes)
+///               template <class Element, class T> void element_residual(const Element& at, T* out) const;
+/// `out` is zeroed and ordered like the cell's unknowns: out[at.index(field, node, component)].
+template <class Derived>
+class ElementKernel : public Kernel {
+ public:
+  explicit ElementKernel(std::string region)
+      : Kernel(std::move(region), {Derived::uses.begin(), Derived::uses.end()}) {}
+
+  void bind(const std::vector<Tabulation>& /*shapes*/) override { partner_ = rate_partner(); }
+
+  CellStatus residual(const CellInput& cell, double* residual) const override {
+    Element<double> at(cell);
+    for (int i = 0; i < unknowns(); ++i) {
+      at.values[i] = at.nodal(i, &FieldOnCell::value);
+      at.rates[i] = at.nodal(i, &FieldOnCell::rate);
+      residual[i] = 0;
+    }
+    static_cast<const Derived&>(*this).element_residual(at, residual);
+    return status(residual);
+  }
+
+  CellStatus tangent(const CellInput& cell, unsigned /*columns*/, double* residual,
+                     double* tangent) const override {
+    constexpr int n = unknowns();
+    using T = Sacado::Fad::SFad<double, n>;
+    Element<T> at(cell);
+    for (int i = 0; i < n; ++i) {
+      at.values[i] = T(n, i, at.nodal(i, &FieldOnCell::value));
+      at.rates[i] = T(n, i, at.nodal(i, &FieldOnCell::rate));
+      at.rates[i].fastAccessDx(i) = at.nodal(i, &FieldOnCell::rate_slope);
+      const FieldUse& use = Derived::uses[static_cast<std::size_t>(at.field_of(i))];
+      if (use.rate_rule == RateRule::quotient && partner_ >= 0)
+        at.rates[i].fastAccessDx(first(partner_) + i - first(at.field_of(i))) +=
+            at.nodal(i, &FieldOnCell::rate_partner);
+    }
+    T out[n];
+    for (int i = 0; i < n; ++i) out[i] = 0.0;
+    static_cast<const Derived&>(*this).element_residual(at, out);
+    for (int i = 0; i < n; ++i) {
+      residual[i] = out[i].val();
+      for (int j = 0; j < n; ++j) tangent[i * n + j] = out[i].dx(j);
+    }
+    return status(residual);
+  }
+
+  static constexpr int first(int field) {
+    int sum = 0;
+    for (int f = 0; f < field; ++f)
+      sum += Derived::nodes * Derived::uses[static_cast<std::size_t>(f)].components;
+    return sum;
+  }
+  static constexpr int unknowns() { return first(static_cast<int>(Derived::uses.size())); }
+
+ private:
+  template <class T>
+  struct Element {
+    explicit Element(const CellInput& input) : cell(&input) {}
+    const CellInput* cell;
+    T values[unknowns()];
+    T rates[unknowns()];
+
+    static constexpr int index(int field, int node, int component) {
+      return first(field) + node * Derived::uses[static_cast<std::size_t>(field)].components + component;
+    }
+    static constexpr int field_of(int unknown) {
+      int f = 0;
+      while (unknown >= first(f + 1)) ++f;
+      return f;
+    }
+    double nodal(int unknown, const double* FieldOnCell::*array) const {
+      const int f = field_of(unknown);
+      return (cell->fields[f].*array)[unknown - first(f)];
+    }
+    const T& value(int field, int node, int component) const { return values[index(field, node, component)]; }
+    const T& rate(int field, int node, int component) const { return rates[index(field, node, component)]; }
+    /// Reference coordinate, m.
+    double coordinate(int node, int component) const {
+      return cell->coordinates[node * Derived::dimension + component];
+    }
+  };
+
+  static CellStatus status(const double* residual) {
+    double sum = 0;
+    for (int i = 0; i < unknowns(); ++i) sum += residual[i];
+    return std::isfinite(sum) ? CellStatus::ok : CellStatus::not_finite;
+  }
+
+  int partner_ = -1;
+};
+
+}  // namespace hawser

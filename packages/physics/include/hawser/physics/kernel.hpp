@@ -1,0 +1,79 @@
+#pragma once
+// The residual of one module on the cells of one region, and its exact derivative.
+//
+// A cell's unknowns are ordered field by field (in the order of fields()), then node by node, then by
+// component. All arrays are plain; one virtual call per cell, none per quadrature point.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/deck/location.hpp"
+#include "hawser/physics/field_use.hpp"
+
+namespace hawser {
+
+/// One field on one cell; every array is [node][component].
+struct FieldOnCell {
+  const double* value;
+  const double* rate;
+  const double* accepted;      ///< value at the last accepted step
+  const double* rate_slope;    ///< d rate / d value at the same node and component
+  const double* rate_partner;  ///< d rate / d velocity at the same node and component (structures: 1)
+};
+
+struct CellInput {
+  double time = 0;                      ///< s, at which the equations are formed
+  double step = 0;                      ///< s; infinite in a steady solve
+  const double* coordinates = nullptr;  ///< reference coordinates [vertex][dimension], m
+  const FieldOnCell* fields = nullptr;  ///< in the order of Kernel::fields()
+};
+
+enum class CellStatus {
+  ok,
+  inverted,   ///< det F <= 0
+  not_finite  ///< the residual is not a number
+};
+
+class Kernel {
+ public:
+  Kernel(std::string region, std::vector<FieldUse> fields)
+      : region_(std::move(region)), fields_(std::move(fields)) {}
+  virtual ~Kernel() = default;
+  Kernel(const Kernel&) = delete;
+  Kernel& operator=(const Kernel&) = delete;
+
+  const std::string& region() const { return region_; }
+  const std::vector<FieldUse>& fields() const { return fields_; }
+  /// Index in fields() of the velocity that a structure's displacement rate equals; -1 when not used.
+  int rate_partner() const;
+
+  /// Called once, with the tabulated shapes of every field, before the first residual.
+  virtual void bind(const std::vector<Tabulation>& shapes) = 0;
+
+  /// residual[n]; n is the number of the cell's unknowns. Overwrites.
+  virtual CellStatus residual(const CellInput& cell, double* residual) const = 0;
+
+  /// Also the tangent [n][n], row by row, d residual_i / d unknown_j with all rates following their values.
+  /// Only columns of fields whose bit is set in `columns` are needed; others may be left zero. Overwrites.
+  virtual CellStatus tangent(const CellInput& cell, unsigned columns, double* residual,
+                             double* tangent) const = 0;
+
+  /// An admissible state for derivative checks: det F > 0, away from kinks. Amplitudes per field.
+  virtual std::vector<double> sample_amplitudes() const;
+
+ private:
+  std::string region_;
+  std::vector<FieldUse> fields_;
+};
+
+/// A module as the rest of the program sees it: its kernels, and the named block its rows belong to.
+struct PhysicsModule {
+  std::string name;
+  std::string block;  ///< fluid, structure, mesh or a name of its own
+  std::vector<std::unique_ptr<Kernel>> kernels;
+  Location location{};  ///< of its element in the deck, for complaints that need the mesh
+};
+
+constexpr unsigned all_columns = ~0U;
+
+}  // namespace hawser

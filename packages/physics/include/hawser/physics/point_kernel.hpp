@@ -1,0 +1,122 @@
+#pragma once
+// A volume term, written once at a quadrature point.
+//
+// The author gives, per field, a source s and a flux f; the residual is
+//     R(w) = integral over the reference cell of  s . w + f : grad w .
+// The derivative is taken with respect to the values, rates and gradients at the *point* (Sacado, fixed
+// size), then contracted with the tabulated shapes: the number of directions does not grow with the order
+// of the elements.
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include <Sacado.hpp>
+
+#include "hawser/physics/kernel.hpp"
+#include "hawser/physics/tensor.hpp"
+
+namespace hawser {
+
+/// Names a field inside a kernel: `static constexpr Slot<0> temperature;` then `at[temperature].value`.
+template <int I>
+using Slot = std::integral_constant<int, I>;
+
+namespace detail {
+template <class T, int C, int D>
+struct PointTypes {
+  using Value = Vector<T, D>;
+  using Gradient = Tensor<T, D>;
+  static_assert(C == D, "a field has one component or as many as there are dimensions");
+};
+template <class T, int D>
+struct PointTypes<T, 1, D> {
+  using Value = T;
+  using Gradient = Vector<T, D>;
+};
+}  // namespace detail
+
+/// One field at a point: scalars have a T and a Vector, vectors have a Vector and a Tensor.
+template <class T, int C, int D>
+struct FieldAtPoint {
+  typename detail::PointTypes<T, C, D>::Value value{};
+  typename detail::PointTypes<T, C, D>::Value rate{};         ///< d/dt at fixed reference point
+  typename detail::PointTypes<T, C, D>::Gradient gradient{};  ///< with respect to reference coordinates
+  typename detail::PointTypes<double, C, D>::Gradient accepted_gradient{};  ///< at the last accepted step
+};
+
+template <class T, int C, int D>
+struct FormAtPoint {
+  typename detail::PointTypes<T, C, D>::Value source{};
+  typename detail::PointTypes<T, C, D>::Gradient flux{};
+};
+
+/// Derived has:  static constexpr int dimension;
+///               static constexpr std::array<FieldUse, n> uses;
+///               template <class Point, class Form> void weak_form(const Point& at, Form& out) const;
+/// `typename Point::Number` is the number type; set out.inverted when det F <= 0.
+template <class Derived>
+class PointKernel : public Kernel {
+ public:
+  explicit PointKernel(std::string region)
+      : Kernel(std::move(region), {Derived::uses.begin(), Derived::uses.end()}) {}
+
+  void bind(const std::vector<Tabulation>& shapes) override {
+    shapes_ = shapes;
+    partner_ = rate_partner();
+  }
+
+  CellStatus residual(const CellInput& cell, double* residual) const override {
+    return evaluate<double>(cell, all_columns, residual, nullptr);
+  }
+  CellStatus tangent(const CellInput& cell, unsigned columns, double* residual,
+                     double* tangent) const override {
+    return evaluate<Sacado::Fad::SFad<double, directions()>>(cell, columns, residual, tangent);
+  }
+
+  /// Derivative directions of one field: its value, rate and gradient, as far as they are looked at.
+  static constexpr int directions(const FieldUse& use) {
+    return use.components * (((use.needs & need::value) != 0 ? 1 : 0) + ((use.needs & need::rate) != 0 ? 1 : 0) +
+                             ((use.needs & need::gradient) != 0 ? Derived::dimension : 0));
+  }
+  static constexpr int directions() {
+    int sum = 0;
+    for (const FieldUse& use : Derived::uses) sum += directions(use);
+    return sum;
+  }
+
+ private:
+  template <class T, class Index>
+  struct PointOf;
+  template <class T, std::size_t... I>
+  struct PointOf<T, std::index_sequence<I...>> {
+    using Number = T;
+    static constexpr int dimension = Derived::dimension;
+    std::tuple<FieldAtPoint<T, Derived::uses[I].components, Derived::dimension>...> fields;
+    double time = 0;
+    double step = 0;
+    Vector<double, Derived::dimension> position;          ///< reference coordinates, m
+    Tensor<double, Derived::dimension> inverse_jacobian;  ///< (k, j) = d xi_k / d X_j of the cell, 1/m
+    template <int S>
+    const auto& operator[](Slot<S>) const { return std::get<S>(fields); }
+  };
+  template <class T, class Index>
+  struct FormOf;
+  template <class T, std::size_t... I>
+  struct FormOf<T, std::index_sequence<I...>> {
+    std::tuple<FormAtPoint<T, Derived::uses[I].components, Derived::dimension>...> fields;
+    bool inverted = false;
+    template <int S>
+    auto& operator[](Slot<S>) { return std::get<S>(fields); }
+  };
+
+  template <class T>
+  CellStatus evaluate(const CellInput& cell, unsigned columns, double* residual, double* tangent) const;
+
+  std::vector<Tabulation> shapes_;  // per field
+  int partner_ = -1;
+};
+
+}  // namespace hawser
+
+#include "hawser/physics/point_kernel_impl.hpp"
