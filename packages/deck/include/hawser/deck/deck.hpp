@@ -1,5 +1,5 @@
 #pragma once
-// The XML as read: a tree of plain values in which every element and every attribute knows its place.
+// The XML as read: a tree of plain values in which every element and attribute knows its place.
 #include <string>
 #include <vector>
 
@@ -22,7 +22,7 @@ struct DeckNode {
   std::vector<DeckNode> children;
 
   const DeckAttribute* find_attribute(const std::string& name) const;  ///< null when absent
-  const DeckNode* find_child(const std::string& child_tag) const;      ///< the first; null when absent
+  const DeckNode* find_child(const std::string& child_tag) const;  ///< the first; null if absent
 };
 
 struct Deck {

@@ -1,8 +1,8 @@
 #pragma once
 // Collects every fault of a deck, so that a user mends them all in one go.
 //
-// All ranks read the same text, so all ranks collect the same faults: nothing here communicates, provided
-// that what is reported does not depend on the rank.
+// All ranks read the same text, so all ranks collect the same faults: nothing here communicates,
+// and what is reported must not depend on the rank.
 #include <string>
 #include <vector>
 
@@ -32,7 +32,7 @@ class Diagnostics {
 };
 
 /// The allowed name that `given` most probably stands for; empty when none is near. Nearness is the
-/// Damerau-Levenshtein distance without regard to case, at most a third of the length (but 1 always).
+/// Damerau-Levenshtein distance without regard to case, at most a third of the length (at least 1).
 std::string nearest_name(const std::string& given, const std::vector<std::string>& allowed);
 
 /// "; did you mean 'density'?" or, when nothing is near, "". Ready to be appended to a sentence.
@@ -40,5 +40,8 @@ std::string did_you_mean(const std::string& given, const std::vector<std::string
 
 /// "a, b, c"; "none" for no words.
 std::string listed(const std::vector<std::string>& words);
+
+/// What a user wrote, fit for a message: in quotes, on one line, long texts cut short.
+std::string quoted(const std::string& given);
 
 }  // namespace hawser

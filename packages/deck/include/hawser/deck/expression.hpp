@@ -1,10 +1,10 @@
 #pragma once
 // A number, or a formula of place and time, as decks give it: "-0.5*ramp(t, 0, 100)".
 //
-// Variables: t (s); x, y, z (m) where the moving point is now; X, Y, Z (m) where it was at the start.
-// Constant: pi. Functions, beside muParser's sin, exp, sqrt, abs, min, max, atan2, ... and "a ? b : c":
-//   ramp(t, start, duration)           0 before, 1 after, 10 s^3 - 15 s^4 + 6 s^5 between (C2 in time)
-//   ramp_distance(t, start, duration)  its integral over time, in s: the way of a ramped unit speed
+// Variables: t (s); x, y, z (m) where the moving point is now; X, Y, Z (m) where it was at first.
+// Constant: pi. Functions, beside muParser's sin, exp, sqrt, abs, min, max, atan2, a ? b : c, ...:
+//   ramp(t, start, duration)           0 before, 1 after, 10 s^3 - 15 s^4 + 6 s^5 between (C2)
+//   ramp_distance(t, start, duration)  its integral over t, in s: the way of a ramped unit speed
 #include <array>
 #include <memory>
 #include <string>
@@ -22,13 +22,16 @@ struct SpaceTime {
 
 /// Compiled once; copies share the compiled formula. Not for two threads at once.
 ///
-/// A result that is not finite throws SolveError naming place and time. Evaluations inside an element
-/// loop therefore belong into Communicator::together or an equivalent flag.
+/// A result that is not finite throws SolveError naming place and time. Evaluations inside an
+/// element loop therefore belong into Communicator::together or an equivalent flag.
 class Expression {
  public:
   Expression(double value = 0);  // NOLINT: a number is an expression
   /// Throws DeckError when the formula is faulty.
   explicit Expression(const std::string& formula, const Location& location = {});
+  /// The same without throwing: returns what is wrong, or "" and sets `result`.
+  static std::string compile(const std::string& formula, const Location& location,
+                             Expression& result);
 
   double operator()(const SpaceTime& point) const;
 
@@ -51,6 +54,7 @@ class Expression {
  private:
   struct Formula;
   double evaluate(const SpaceTime& point) const;
+  double derivative(const SpaceTime& point, double SpaceTime::*variable) const;
 
   double value_ = 0;  // when constant
   std::shared_ptr<const Formula> formula_;
@@ -58,7 +62,8 @@ class Expression {
   Location location_;
 };
 
-/// One per component, "0; -0.5*ramp(t, 0, 100)"; plain numbers may be separated by blanks: "0 -0.5".
+/// One per component, "0; -0.5*ramp(t, 0, 100)"; plain numbers may be set apart by blanks: "0
+/// -0.5".
 using Expressions = std::vector<Expression>;
 
 }  // namespace hawser

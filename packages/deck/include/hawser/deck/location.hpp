@@ -9,7 +9,7 @@ struct Location {
   int line = 0;    ///< from 1; 0: not written in any file (a default)
   int column = 0;  ///< from 1, in characters
 
-  std::string text() const;  ///< "file:line:column", or "(default)"
+  std::string text() const;  ///< "file:line:column"; without a line just the file, or "(default)"
 };
 
 bool operator<(const Location& a, const Location& b);

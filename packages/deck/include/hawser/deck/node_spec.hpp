@@ -1,6 +1,6 @@
 #pragma once
-// A Spec without its C++ types: what `hawser describe`, the schema, the reference manual and the resolved
-// deck are made of.
+// A Spec without its C++ types: what `hawser describe`, the schema, the reference manual and the
+// resolved deck are made of.
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,11 +11,11 @@ namespace hawser {
 
 struct AttributeSpec {
   std::string name;
-  std::string type;                  ///< "number", "whole number", "text", …
-  std::string unit;                  ///< "kg/m^3"; "1" for a plain number; empty for texts
-  std::string default_text;          ///< as it would be written; empty: required, or absent unless given
-  std::string range;                 ///< "> 0"; empty when anything goes
-  std::string meaning;               ///< one sentence
+  std::string type;          ///< "number", "whole number", "text", …
+  std::string unit;          ///< "kg/m^3"; "1" for a plain number; empty for texts
+  std::string default_text;  ///< as it would be written; empty: required, or absent unless given
+  std::string range;         ///< "> 0"; empty when anything goes
+  std::string meaning;       ///< one sentence
   std::vector<std::string> choices;  ///< when only certain words are allowed
   bool is_required = false;
 };
@@ -27,7 +27,7 @@ struct NodeSpec {
   std::string meaning;
   std::vector<AttributeSpec> attributes;
   std::vector<ChildSpec> children;
-  std::string open_children;  ///< when not empty, any child is allowed that some table knows: what they are
+  std::string open_children;  ///< not empty: children that a table knows are allowed too
 };
 
 struct ChildSpec {
@@ -37,16 +37,20 @@ struct ChildSpec {
   bool has_defaults = false;  ///< when absent, it counts as written with all its defaults
 };
 
-/// Finds the spec of a child whose tag is known at run time only (a module's); null when there is none.
+/// Finds the spec of a child whose tag is known at run time only (a module's); null when there is
+/// none.
 using SpecLookup = std::function<const NodeSpec*(const std::string& tag)>;
 
 /// For people: every attribute and child with type, unit, default, range and meaning.
 std::string describe(const NodeSpec& spec);
 
-/// The deck that `node` amounts to: every value as given, and every default that was used. XML text.
-std::string resolved_deck(const DeckNode& node, const NodeSpec& spec, const SpecLookup& lookup = {});
+/// The deck that `node` amounts to: every value as given, and every default that was used. XML
+/// text.
+std::string resolved_deck(const DeckNode& node, const NodeSpec& spec,
+                          const SpecLookup& lookup = {});
 
-/// Reports `child` when its tag is not among `allowed` (with the nearest name) and returns false then.
+/// Reports `child` when its tag is not among `allowed` (with the nearest name) and returns false
+/// then.
 bool is_known_child(const DeckNode& child, const std::string& parent_tag,
                     const std::vector<std::string>& allowed, Diagnostics& diagnostics);
 

@@ -1,6 +1,6 @@
 #pragma once
-// What an attribute's value must satisfy, with the words that messages and the reference manual use.
-// Rules add up: required() && positive().
+// What an attribute's value must satisfy, with the words that messages and the reference manual
+// use. Rules add up: required() && positive().
 #include <functional>
 #include <string>
 #include <vector>
@@ -31,9 +31,9 @@ Rules greater_than(double bound);
 Rules less_than(double bound);
 Rules at_least(double bound);
 Rules at_most(double bound);
-Rules between(double low, double high);       ///< both included
+Rules between(double low, double high);        ///< both included
 Rules one_of(std::vector<std::string> words);  ///< for texts and lists of names
-Rules length(int count);                      ///< a list has that many values
+Rules length(int count);                       ///< a list has that many values
 Rules length(int least, int greatest);
 
 }  // namespace hawser

@@ -1,7 +1,7 @@
 #pragma once
-// One declaration per parameter: name, unit, default, rules, meaning and the struct member it fills.
-// The parser, the checks, `hawser describe`, the resolved deck (and later the schema and the manual) all
-// come from it:
+// One declaration per parameter: name, unit, default, rules, meaning and the struct member it
+// fills. The parser, the checks, `hawser describe`, the resolved deck (and later the schema and the
+// manual) all come from it:
 //
 //   struct Parameters {
 //     Located<std::string> region;
@@ -96,8 +96,8 @@ class Spec {
   template <class Q, class Owner>
   Spec&& children(std::vector<Q> Owner::*member, Spec<Q> spec, const Rules& rules = {}) &&;
 
-  /// All children that are not declared otherwise, unread: a higher layer finds their specs by tag and
-  /// reports unknown ones with is_known_child(). `kind` says what they are ("physics modules").
+  /// All children that are not declared otherwise, unread: a higher layer finds their specs by tag
+  /// and reports unknown ones with is_known_child(). `kind` says what they are ("physics modules").
   template <class Owner>
   Spec&& any_children(std::vector<DeckNode> Owner::*member, const std::string& kind) &&;
 

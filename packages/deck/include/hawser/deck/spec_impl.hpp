@@ -11,8 +11,8 @@ template <class T, class Owner>
 Spec<P>&& Spec<P>::attribute(const std::string& name, T Owner::*member, const std::string& unit,
                              const Rules& rules, const std::string& meaning) && {
   Attribute attribute;
-  attribute.spec = {name,    type_name(T{}), unit,       "", rules.range_text(),
-                    meaning, rules.words,    rules.is_required};
+  attribute.spec = {name,        type_name(T{}),   unit, "", rules.range_text(), meaning,
+                    rules.words, rules.is_required};
   attribute.rules = rules;
   attribute.read = [member](const Reading& reading, P& p) {
     T value = p.*member;
@@ -32,7 +32,8 @@ Spec<P>&& Spec<P>::choice(const std::string& name, T Owner::*member, const Rules
                           const std::string& meaning) && {
   Attribute attribute;
   attribute.spec = {name, "choice", "", "", "", meaning, {}, rules.is_required};
-  for (const auto& word : words) attribute.spec.choices.push_back(word.first);
+  for (const auto& word : words)
+    attribute.spec.choices.push_back(word.first);
   attribute.spec.range = "one of " + listed(attribute.spec.choices);
   attribute.rules = rules;
   attribute.read = [member, words, names = attribute.spec.choices](const Reading& reading, P& p) {
@@ -112,10 +113,12 @@ Spec<P>&& Spec<P>::location(Location Owner::*member) && {
 template <class P>
 void Spec<P>::read_into(const DeckNode& node, P& value, Diagnostics& diagnostics) const {
   const std::size_t errors_before = diagnostics.error_count();
-  for (const auto& take : take_location_) take(node.location, value);
+  for (const auto& take : take_location_)
+    take(node.location, value);
 
   std::vector<AttributeSpec> specs;
-  for (const Attribute& attribute : attributes_) specs.push_back(attribute.spec);
+  for (const Attribute& attribute : attributes_)
+    specs.push_back(attribute.spec);
   const auto given = match_attributes(node, specs, diagnostics);
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (!given[i]) continue;
@@ -127,7 +130,8 @@ void Spec<P>::read_into(const DeckNode& node, P& value, Diagnostics& diagnostics
   }
 
   std::vector<ChildRule> rules;
-  for (const Child& child : children_) rules.push_back(child.rule);
+  for (const Child& child : children_)
+    rules.push_back(child.rule);
   const auto rule_of = match_children(node, rules, bool(take_open_child_), diagnostics);
   for (std::size_t i = 0; i < node.children.size(); ++i) {
     if (rule_of[i] >= 0)
@@ -137,7 +141,8 @@ void Spec<P>::read_into(const DeckNode& node, P& value, Diagnostics& diagnostics
   }
 
   if (diagnostics.error_count() > errors_before) return;
-  for (const Check& check : checks_) check(value, node.location, diagnostics);
+  for (const Check& check : checks_)
+    check(value, node.location, diagnostics);
 }
 
 template <class P>
@@ -151,7 +156,8 @@ NodeSpec Spec<P>::node_spec(const P& defaults) const {
     if (!attribute.spec.is_required)
       result.attributes.back().default_text = attribute.write(defaults);
   }
-  for (const Child& child : children_) result.children.push_back(child.describe(defaults));
+  for (const Child& child : children_)
+    result.children.push_back(child.describe(defaults));
   return result;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The part of Spec that does not depend on the struct: which attribute and child is which, and the words
-// of every complaint.
+// The part of Spec that does not depend on the struct: which attribute and child is which, and the
+// words of every complaint.
 #include <string>
 #include <vector>
 
@@ -24,10 +24,10 @@ std::vector<const DeckAttribute*> match_attributes(const DeckNode& node,
                                                    const std::vector<AttributeSpec>& specs,
                                                    Diagnostics& diagnostics);
 
-/// For every child of `node` the position of its rule, or -1. Reports missing and doubled children, and
-/// unknown ones unless `open`.
-std::vector<int> match_children(const DeckNode& node, const std::vector<ChildRule>& rules, bool open,
-                                Diagnostics& diagnostics);
+/// For every child of `node` the position of its rule, or -1. Reports missing and doubled children,
+/// and unknown ones unless `open`.
+std::vector<int> match_children(const DeckNode& node, const std::vector<ChildRule>& rules,
+                                bool open, Diagnostics& diagnostics);
 
 /// Reports that the value of an attribute is not acceptable, for the reason given by read_value().
 void report_value(const DeckNode& node, const DeckAttribute& attribute, const std::string& reason,

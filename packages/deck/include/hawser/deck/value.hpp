@@ -1,8 +1,9 @@
 #pragma once
-// How the text of an attribute becomes a C++ value, strictly: a value is read whole or it is an error.
+// How the text of an attribute becomes a C++ value, strictly: a value is read whole or it is an
+// error.
 //
-// Each value type has three functions: read_value, write_value, type_name. A type of one's own joins in by
-// overloading them in its namespace.
+// Each value type has three functions: read_value, write_value, type_name. A type of one's own
+// joins in by overloading them in its namespace.
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -22,8 +23,8 @@ struct Reading {
   const Rules& rules;
 };
 
-/// On success sets `value` and returns ""; else returns what is wrong and what is allowed, a clause that
-/// follows "attribute 'a' of <b> is 'c': ".
+/// On success sets `value` and returns ""; else returns what is wrong and what is allowed, a clause
+/// that follows "attribute 'a' of <b> is 'c': ".
 std::string read_value(const Reading& reading, double& value);
 std::string read_value(const Reading& reading, int& value);
 std::string read_value(const Reading& reading, bool& value);

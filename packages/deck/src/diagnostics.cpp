@@ -1,0 +1,57 @@
+#include "hawser/deck/diagnostics.hpp"
+
+#include <algorithm>
+
+#include "hawser/base/error.hpp"
+
+namespace hawser {
+
+void Diagnostics::error(const Location& where, const std::string& sentence) {
+  errors_.push_back({where, sentence});
+}
+
+void Diagnostics::warning(const Location& where, const std::string& sentence) {
+  warnings_.push_back({where, sentence});
+}
+
+std::string Diagnostics::text(std::vector<Entry> entries) {
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& a, const Entry& b) { return a.where < b.where; });
+  std::string result;
+  for (const Entry& entry : entries) {
+    if (!result.empty()) result += '\n';
+    result += entry.where.text() + ": " + entry.sentence;
+  }
+  return result;
+}
+
+std::string Diagnostics::error_text() const { return text(errors_); }
+std::string Diagnostics::warning_text() const { return text(warnings_); }
+
+void Diagnostics::throw_if_any() const {
+  if (!ok()) throw DeckError(error_text());
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  if (words.empty()) return "none";
+  std::string result = words.front();
+  for (std::size_t i = 1; i < words.size(); ++i)
+    result += ", " + words[i];
+  return result;
+}
+
+std::string quoted(const std::string& given) {
+  constexpr std::size_t longest = 60;
+  std::string text = given.substr(0, longest);
+  if (given.size() > longest) {
+    // A character of several bytes is not cut in two.
+    while (!text.empty() && (static_cast<unsigned char>(given[text.size()]) & 0xC0) == 0x80)
+      text.pop_back();
+    text += "...";
+  }
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  return "'" + text + "'";
+}
+
+}  // namespace hawser

@@ -1,0 +1,159 @@
+#include "hawser/deck/value.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "hawser/deck/diagnostics.hpp"
+#include "hawser/deck/spec_reader.hpp"
+#include "src/number.hpp"
+
+namespace hawser {
+namespace {
+
+std::string range_fault(const Reading& reading, double value) {
+  for (const Rules::NumberCheck& check : reading.rules.numbers) {
+    if (check.holds(value)) continue;
+    const bool bare = reading.unit.empty() || reading.unit == "1";
+    return "it must be " + check.text + (bare ? "" : " " + reading.unit);
+  }
+  return "";
+}
+
+std::string number_fault(const Reading& reading, const std::string& text, double& value) {
+  std::string fault = read_number(text, value);
+  if (fault.empty()) return range_fault(reading, value);
+  if (!reading.unit.empty() && reading.unit != "1") fault += " (in " + reading.unit + ")";
+  return fault;
+}
+
+std::string length_fault(const Reading& reading, std::size_t length) {
+  const Rules& rules = reading.rules;
+  const int count = static_cast<int>(length);
+  if (count >= rules.least_length && (rules.greatest_length == 0 || count <= rules.greatest_length))
+    return "";
+  Rules of_length;
+  of_length.least_length = rules.least_length;
+  of_length.greatest_length = rules.greatest_length;
+  return of_length.range_text() + " needed, " + std::to_string(count) + " given";
+}
+
+std::string word_fault(const Reading& reading, const std::string& word) {
+  const auto& allowed = reading.rules.words;
+  const bool known = std::find(allowed.begin(), allowed.end(), word) != allowed.end();
+  return allowed.empty() || known ? "" : not_among(word, allowed);
+}
+
+// Names the faulty one when there are several.
+std::string of_part(const std::string& part, std::size_t count, const std::string& fault) {
+  return fault.empty() || count < 2 ? fault : "in " + quoted(part) + ", " + fault;
+}
+
+std::string expression_fault(const Reading& reading, const std::string& text, Expression& value) {
+  if (text.empty()) return "a value is missing beside a ';'";
+  std::string fault = Expression::compile(text, reading.location, value);
+  if (fault.empty() && value.is_constant()) fault = range_fault(reading, value({}));
+  return fault;
+}
+
+bool is_number(const std::string& text) {
+  double value = 0;
+  return read_number(text, value).empty();
+}
+
+template <class List>
+std::string joined(const List& list, const std::string& separator) {
+  std::string result;
+  for (const auto& value : list) {
+    if (&value != &list.front()) result += separator;
+    result += write_value(value);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string read_value(const Reading& reading, double& value) {
+  return number_fault(reading, reading.text, value);
+}
+
+std::string read_value(const Reading& reading, int& value) {
+  const std::string fault = read_whole_number(reading.text, value);
+  return fault.empty() ? range_fault(reading, value) : fault;
+}
+
+std::string read_value(const Reading& reading, bool& value) {
+  value = reading.text == "true";
+  return value || reading.text == "false" ? "" : "it must be true or false";
+}
+
+std::string read_value(const Reading& reading, std::string& value) {
+  value = reading.text;
+  return word_fault(reading, value);
+}
+
+std::string read_value(const Reading& reading, Expression& value) {
+  const auto parts = split_at_blanks(reading.text);
+  if (parts.size() > 1 && std::all_of(parts.begin(), parts.end(), is_number))
+    return "one value is needed, " + std::to_string(parts.size()) + " are given";
+  return expression_fault(reading, reading.text, value);
+}
+
+std::string read_value(const Reading& reading, std::vector<double>& value) {
+  const auto parts = split_at_blanks(reading.text);
+  value.assign(parts.size(), 0);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool list_like = parts[i].find_first_of(",;") != std::string::npos;
+    const std::string fault = list_like ? "numbers are set apart by blanks, not by ',' or ';'"
+                                        : number_fault(reading, parts[i], value[i]);
+    if (!fault.empty()) return of_part(parts[i], parts.size(), fault);
+  }
+  return length_fault(reading, value.size());
+}
+
+std::string read_value(const Reading& reading, std::vector<std::string>& value) {
+  value = split_at_blanks(reading.text);
+  for (const std::string& word : value) {
+    std::string fault = word_fault(reading, word);
+    if (word.find_first_of(",;") != std::string::npos)
+      fault = "names are set apart by blanks, not by ',' or ';'";
+    if (!fault.empty()) return of_part(word, value.size(), fault);
+  }
+  return length_fault(reading, value.size());
+}
+
+std::string read_value(const Reading& reading, Expressions& value) {
+  auto parts = split_at_blanks(reading.text);
+  if (!std::all_of(parts.begin(), parts.end(), is_number)) parts = split_at(reading.text, ';');
+  value.assign(parts.size(), {});
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string fault = expression_fault(reading, parts[i], value[i]);
+    if (!fault.empty()) return of_part(parts[i], parts.size(), fault);
+  }
+  return length_fault(reading, value.size());
+}
+
+std::string write_value(double value) {
+  std::array<char, 32> text{};
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), result.ptr};
+}
+
+std::string write_value(int value) { return std::to_string(value); }
+std::string write_value(bool value) { return value ? "true" : "false"; }
+std::string write_value(const std::string& value) { return value; }
+std::string write_value(const Expression& value) { return value.text(); }
+std::string write_value(const std::vector<double>& value) { return joined(value, " "); }
+std::string write_value(const std::vector<std::string>& value) { return joined(value, " "); }
+std::string write_value(const Expressions& value) { return joined(value, "; "); }
+
+std::string type_name(const double&) { return "number"; }
+std::string type_name(const int&) { return "whole number"; }
+std::string type_name(const bool&) { return "true or false"; }
+std::string type_name(const std::string&) { return "text"; }
+std::string type_name(const Expression&) { return "expression"; }
+std::string type_name(const std::vector<double>&) { return "list of numbers"; }
+std::string type_name(const std::vector<std::string>&) { return "list of names"; }
+std::string type_name(const Expressions&) { return "list of expressions"; }
+
+}  // namespace hawser
