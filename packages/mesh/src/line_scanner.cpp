@@ -1,5 +1,6 @@
 #include "line_scanner.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "msh_file.hpp"
 
-#include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <utility>

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -94,9 +95,9 @@ class Body {
       if (place >= 0) {
         const auto* x = &mesh_.coordinates[at(2 * v[k])];
         const auto* y = &mesh_.coordinates[at(2 * v[(k + 1) % 3])];
-        throw MeshError("two triangles overlap on the same side of the edge from (" +
-                        std::to_string(x[0]) + ", " + std::to_string(x[1]) + ") to (" +
-                        std::to_string(y[0]) + ", " + std::to_string(y[1]) + ")");
+        std::ostringstream where;
+        where << "(" << x[0] << ", " << x[1] << ") to (" << y[0] << ", " << y[1] << ")";
+        throw MeshError("two triangles overlap on the same side of the edge from " + where.str());
       }
       place = triangle;
     }

@@ -26,9 +26,8 @@ enum class CellShape {
 struct PointSet {
   LocalIndex owned = 0;          ///< points [0, owned) are this rank's
   GlobalIndex global_count = 0;  ///< over all ranks
-  std::vector<GlobalIndex>
-      ids;                  ///< rank-independent number of each local point, in [0, global_count)
-  std::vector<int> owners;  ///< owning rank of each local point
+  std::vector<GlobalIndex> ids;  ///< rank-independent numbers, in [0, global_count)
+  std::vector<int> owners;       ///< owning rank of each local point
   LocalIndex size() const { return static_cast<LocalIndex>(ids.size()); }
 };
 
@@ -42,8 +41,8 @@ struct Region {
   std::vector<GlobalIndex> cell_ids;  ///< ascending; rank-independent, in [0, cells of the region)
   std::vector<int> cell_owners;       ///< the rank that counts this cell in sums over cells
   std::vector<LocalIndex> vertices;   ///< [cell][vertices_per_cell]
-  std::vector<LocalIndex>
-      split_vertices;             ///< the same with split numbering; triangles and facets only
+  /// The same in split numbering; triangles and facets only.
+  std::vector<LocalIndex> split_vertices;
   std::vector<LocalIndex> edges;  ///< [cell][edges_per_cell]
   LocalIndex size() const { return static_cast<LocalIndex>(cell_ids.size()); }
 };
@@ -62,9 +61,10 @@ struct Mesh {
   std::vector<LocalIndex> edge_ends;        ///< [local edge][2]
   std::vector<Region> regions;
 
-  const Region* find(
-      const std::string& name) const;  ///< null when there is none (on all ranks alike)
-  const Region& region(const std::string& name) const;  ///< MeshError naming the regions there are
+  /// Null when there is none, on all ranks alike.
+  const Region* find(const std::string& name) const;
+  /// MeshError naming the regions there are.
+  const Region& region(const std::string& name) const;
 };
 
 struct MeshOptions {
