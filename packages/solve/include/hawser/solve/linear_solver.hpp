@@ -53,6 +53,9 @@ class LinearSolver {
   LinearReport solve(const TpetraVector& rhs, TpetraVector& x, double tolerance);
   LinearReport solve(const TpetraVector& rhs, TpetraVector& x);  ///< to options().tolerance
 
+  /// 2-norm of the row-scaled residual: the norm in which solve() reduces it. After a first solve.
+  double scaled_norm(const TpetraVector& residual);
+
   const LinearOptions& options() const;
   int factorizations() const;  ///< made since construction
 

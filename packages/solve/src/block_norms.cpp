@@ -1,0 +1,110 @@
+#include "block_norms.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Vector.hpp>
+#include <cmath>
+#include <cstdio>
+
+namespace hawser {
+namespace {
+
+/// Sums over all ranks at once, then takes the square roots.
+void reduce_norms(const BlockSystem& system, std::vector<double>& squares) {
+  MPI_Allreduce(MPI_IN_PLACE, squares.data(), static_cast<int>(squares.size()), MPI_DOUBLE, MPI_SUM,
+                system.communicator.mpi());
+  for (double& value : squares) value = std::sqrt(value);
+}
+
+}  // namespace
+
+std::vector<BlockNorm> block_norms(const BlockSystem& system, const TpetraVector& residual,
+                                   const TpetraVector& magnitude,
+                                   const std::vector<double>& round_off) {
+  const auto f = residual.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto m = magnitude.getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::vector<double> sums(2 * system.blocks.size(), 0.0);
+  for (std::size_t i = 0; i < system.blocks.size(); ++i) {
+    for (const LocalIndex row : system.blocks[i].rows) {
+      sums[2 * i] += f(row, 0) * f(row, 0);
+      sums[2 * i + 1] += m(row, 0) * m(row, 0);
+    }
+  }
+  reduce_norms(system, sums);
+  std::vector<BlockNorm> norms;
+  for (std::size_t i = 0; i < system.blocks.size(); ++i) {
+    const auto& block = system.blocks[i];
+    BlockNorm norm{block.name, block.field, block.unit, sums[2 * i], sums[2 * i + 1], 0.0};
+    if (!(norm.residual <= round_off[i])) norm.ratio = norm.residual / norm.magnitude;
+    norms.push_back(norm);
+  }
+  return norms;
+}
+
+std::vector<double> product_magnitudes(const BlockSystem& system, const TpetraVector& x) {
+  const auto& matrix = *system.matrix;
+  TpetraVector with_ghosts(matrix.getColMap());
+  const auto importer = matrix.getGraph()->getImporter();
+  if (importer.is_null())
+    with_ghosts.update(1.0, x, 0.0);
+  else
+    with_ghosts.doImport(x, *importer, Tpetra::INSERT);
+  const auto values = with_ghosts.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto local = matrix.getLocalMatrixHost();
+  std::vector<double> sums(system.blocks.size(), 0.0);
+  for (std::size_t i = 0; i < system.blocks.size(); ++i) {
+    for (const LocalIndex row : system.blocks[i].rows) {
+      double sum = 0;
+      for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k)
+        sum += std::abs(local.values(k) * values(local.graph.entries(k), 0));
+      sums[i] += sum * sum;
+    }
+  }
+  reduce_norms(system, sums);
+  return sums;
+}
+
+int worst_of(const std::vector<BlockNorm>& norms) {
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < norms.size(); ++i)
+    if (!(norms[i].ratio <= norms[worst].ratio) && !std::isnan(norms[worst].ratio)) worst = i;
+  return static_cast<int>(worst);
+}
+
+std::string describe_block(const BlockSystem& system, const BlockNorm& norm, const Block& block,
+                           const TpetraVector& residual,
+                           const std::function<std::string(GlobalIndex)>& describe_row) {
+  const auto f = residual.getLocalViewHost(Tpetra::Access::ReadOnly);
+  struct {
+    double size = -1;
+    int rank = 0;
+  } largest;
+  LocalIndex row = 0;
+  for (const LocalIndex candidate : block.rows) {
+    double size = std::abs(f(candidate, 0));
+    if (!std::isfinite(size)) size = HUGE_VAL;  // a NaN would get lost in the comparison of ranks
+    if (size <= largest.size) continue;
+    largest.size = size;
+    row = candidate;
+  }
+  const auto& communicator = system.communicator;
+  largest.rank = communicator.rank();
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator.mpi());
+
+  std::string where;
+  if (communicator.rank() == largest.rank && largest.size >= 0) {
+    const GlobalIndex number = system.rows->getGlobalElement(row);
+    where = describe_row ? describe_row(number) : "row " + std::to_string(number);
+  }
+  auto length = static_cast<int>(where.size());
+  MPI_Bcast(&length, 1, MPI_INT, largest.rank, communicator.mpi());
+  where.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(where.data(), length, MPI_CHAR, largest.rank, communicator.mpi());
+
+  char numbers[96];
+  std::snprintf(numbers, sizeof numbers, "residual %.2e %s, %.2e of its magnitude", norm.residual,
+                norm.unit.c_str(), norm.ratio);
+  return "block " + norm.block + ", field " + norm.field + ": " + numbers + ", largest at " + where;
+}
+
+}  // namespace hawser

@@ -1,0 +1,152 @@
+#include "hawser/solve/linear_solver.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+#include <cmath>
+#include <cstdio>
+
+#include "gmres.hpp"
+#include "hawser/base/error.hpp"
+#include "row_scaling.hpp"
+
+namespace hawser {
+
+struct LinearSolver::Implementation {
+  Implementation(BlockSystem& a_system, LinearOptions some_options)
+      : system(a_system),
+        options(some_options),
+        factor(make_factor(a_system.communicator, some_options)),
+        scaled(Teuchos::rcp(new TpetraMatrix(a_system.matrix->getCrsGraph()))),
+        b(a_system.rows),
+        remainder(a_system.rows) {
+    scaled->fillComplete(system.rows, system.rows);
+  }
+
+  void scale_matrix() {
+    if (!matrix_is_new) return;
+    if (refresh_due) scaling.compute(*system.matrix, system.communicator);
+    scaling.apply(*system.matrix, *scaled);
+    matrix_is_new = false;
+  }
+
+  void refresh() {
+    matrix_is_new = true;  // the scaling is made anew with the factor, and kept as long
+    refresh_due = true;
+    scale_matrix();
+    if (!analysed) factor->symbolic(scaled);
+    analysed = true;
+    factor->numeric();
+    ++factorizations;
+    refresh_due = false;
+    fresh_effort = -1;
+  }
+
+  double relative_residual(const TpetraVector& x) {
+    scaled->apply(x, remainder);
+    remainder.update(1.0, b, -1.0);
+    return remainder.norm2() / b.norm2();
+  }
+
+  /// Decides from iteration counts alone whether the factor still pays. Forcing terms change the
+  /// tolerance from solve to solve, so what is compared are iterations per decade.
+  void judge_factor(int iterations, double tolerance) {
+    const double decades = std::max(-std::log10(tolerance), 1e-3);
+    if (fresh_effort < 0) fresh_effort = iterations / decades;
+    refresh_due = iterations >
+                  options.refresh_ratio * fresh_effort * decades + options.refresh_slack;
+  }
+
+  BlockSystem& system;
+  LinearOptions options;
+  std::unique_ptr<Factor> factor;
+  RowScaling scaling;
+  Teuchos::RCP<TpetraMatrix> scaled;  ///< the matrix, rows scaled; a copy
+  TpetraVector b;                     ///< the right-hand side, scaled
+  TpetraVector remainder;
+  bool matrix_is_new = true;
+  bool refresh_due = true;
+  bool analysed = false;
+  double fresh_effort = -1;  ///< iterations per decade of the factor's first solve; -1: none yet
+  int factorizations = 0;
+};
+
+namespace {
+
+SolveError failure(const GmresOutcome& outcome, double reached, double tolerance) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "linear solver: GMRES reached a relative residual of %.2e after %d iterations with a "
+                "fresh factor, wanted %.2e",
+                reached, outcome.iterations, tolerance);
+  return SolveError(text);
+}
+
+}  // namespace
+
+LinearSolver::LinearSolver(BlockSystem& system, LinearOptions options)
+    : implementation_(std::make_unique<Implementation>(system, options)) {}
+LinearSolver::~LinearSolver() = default;
+LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
+LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
+
+void LinearSolver::matrix_changed() {
+  implementation_->matrix_is_new = true;
+  if (!implementation_->options.keep_factor) drop_factor();
+}
+
+void LinearSolver::drop_factor() { implementation_->refresh_due = true; }
+
+const LinearOptions& LinearSolver::options() const { return implementation_->options; }
+
+int LinearSolver::factorizations() const { return implementation_->factorizations; }
+
+double LinearSolver::scaled_norm(const TpetraVector& residual) {
+  auto& self = *implementation_;
+  self.scaling.apply(residual, self.remainder);
+  return self.remainder.norm2();
+}
+
+LinearReport LinearSolver::solve(const TpetraVector& rhs, TpetraVector& x) {
+  return solve(rhs, x, options().tolerance);
+}
+
+LinearReport LinearSolver::solve(const TpetraVector& rhs, TpetraVector& x, double tolerance) {
+  auto& self = *implementation_;
+  LinearReport report;
+  const auto refresh = [&] {
+    self.refresh();
+    report.factored = true;
+  };
+  if (self.refresh_due) refresh();
+  self.scale_matrix();
+  self.scaling.apply(rhs, self.b);
+  const double size = self.b.norm2();
+  if (!std::isfinite(size))
+    throw SolveError("linear solver: the right-hand side holds a value that is not finite");
+  if (size == 0) {
+    x.putScalar(0.0);
+    return report;
+  }
+
+  const auto attempt = [&] {
+    const auto outcome = gmres(self.scaled, *self.factor, self.options, tolerance, self.b, x);
+    report.iterations += outcome.iterations;
+    report.reached = self.relative_residual(x);
+    // Belos' own count of the residual drifts from the true one; a factor of two is harmless.
+    return std::pair(outcome, outcome.converged && report.reached <= 2 * tolerance);
+  };
+  auto [outcome, good] = attempt();
+  if (!good && !report.factored) {
+    refresh();
+    self.scaling.apply(rhs, self.b);
+    std::tie(outcome, good) = attempt();
+  }
+  if (!good) {
+    self.refresh_due = true;
+    throw failure(outcome, report.reached, tolerance);
+  }
+  self.judge_factor(outcome.iterations, tolerance);
+  return report;
+}
+
+}  // namespace hawser

@@ -1,0 +1,130 @@
+#include "mumps_factor.hpp"
+
+#include <dmumps_c.h>
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Vector.hpp>
+#include <string>
+
+#include "hawser/base/error.hpp"
+
+namespace hawser {
+
+// MUMPS documents its arrays from 1, as Fortran counts.
+struct MumpsFactor::Mumps : DMUMPS_STRUC_C {
+  int& control(int i) { return icntl[i - 1]; }
+};
+
+namespace {
+enum Job { begin = -1, end = -2, analyse = 1, factorise = 2, substitute = 3 };
+constexpr int working_space_too_small = -9;
+constexpr int working_space_too_small_for_solve = -11;
+}  // namespace
+
+MumpsFactor::MumpsFactor(const Communicator& communicator)
+    : communicator_(communicator), mumps_(std::make_unique<Mumps>()) {
+  mumps_->comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(communicator.mpi()));
+  mumps_->par = 1;  // rank 0 works too
+  mumps_->sym = 0;
+  run(begin);
+  for (const int stream : {1, 2, 3}) mumps_->control(stream) = -1;  // print nothing
+  mumps_->control(4) = 0;
+  mumps_->control(18) = 3;  // entries stay on the ranks that own their rows
+  mumps_->control(14) = 40;  // percent of working space beyond the estimate
+}
+
+MumpsFactor::~MumpsFactor() {
+  int finalized = 0;
+  MPI_Finalized(&finalized);
+  if (finalized) return;
+  mumps_->job = end;
+  dmumps_c(mumps_.get());
+}
+
+int MumpsFactor::result(int which) const { return mumps_->infog[which - 1]; }
+
+void MumpsFactor::run(int job) const {
+  mumps_->job = job;
+  dmumps_c(mumps_.get());
+  const int code = result(1);
+  if (code >= 0 || code == working_space_too_small || code == working_space_too_small_for_solve)
+    return;
+  if (code == -6 || code == -10) throw SolveError("linear solver: the matrix is singular (MUMPS)");
+  throw SolveError("linear solver: MUMPS error " + std::to_string(code) + ", detail " +
+                   std::to_string(result(2)));
+}
+
+void MumpsFactor::number_entries() {
+  const auto rows = matrix_->getRowMap();
+  const auto columns = matrix_->getColMap();
+  const int owned = static_cast<int>(rows->getNodeNumElements());
+  counts_.resize(static_cast<std::size_t>(communicator_.size()));
+  MPI_Allgather(&owned, 1, MPI_INT, counts_.data(), 1, MPI_INT, communicator_.mpi());
+  offsets_.assign(1, 0);
+  for (const int count : counts_) offsets_.push_back(offsets_.back() + count);
+  const int first = offsets_[static_cast<std::size_t>(communicator_.rank())];
+
+  // Numbers travel to ghost columns as doubles, exact up to 2^53.
+  TpetraVector row_number(rows);
+  TpetraVector column_number(columns);
+  for (int row = 0; row < owned; ++row) row_number.replaceLocalValue(row, first + row + 1.0);
+  column_number.doImport(row_number, Tpetra::Import<>(rows, columns), Tpetra::INSERT);
+
+  const auto number = column_number.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto local = matrix_->getLocalMatrixHost();
+  row_numbers_.clear();
+  column_numbers_.clear();
+  for (int row = 0; row < owned; ++row) {
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+      row_numbers_.push_back(first + row + 1);
+      column_numbers_.push_back(static_cast<int>(number(local.graph.entries(k), 0)));
+    }
+  }
+}
+
+void MumpsFactor::symbolic(const Teuchos::RCP<const TpetraMatrix>& matrix) {
+  matrix_ = matrix;
+  number_entries();
+  if (communicator_.is_root()) whole_.resize(static_cast<std::size_t>(offsets_.back()));
+  mumps_->n = offsets_.back();
+  mumps_->nnz_loc = static_cast<MUMPS_INT8>(row_numbers_.size());
+  mumps_->irn_loc = row_numbers_.data();
+  mumps_->jcn_loc = column_numbers_.data();
+  mumps_->a_loc = nullptr;
+  run(analyse);
+}
+
+void MumpsFactor::numeric() {
+  mumps_->a_loc = matrix_->getLocalMatrixHost().values.data();
+  const int usual_space = mumps_->control(14);
+  run(factorise);
+  while (result(1) == working_space_too_small && mumps_->control(14) < 2000) {
+    mumps_->control(14) *= 2;  // kept: later matrices of the run want it too
+    run(factorise);
+  }
+  if (result(1) < 0) {
+    mumps_->control(14) = usual_space;
+    throw SolveError("linear solver: MUMPS ran out of working space");
+  }
+}
+
+void MumpsFactor::solve(const TpetraMultiVector& b, TpetraMultiVector& x) const {
+  const auto& comm = communicator_.mpi();
+  const int owned = counts_[static_cast<std::size_t>(communicator_.rank())];
+  const auto from = b.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto to = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (std::size_t column = 0; column < b.getNumVectors(); ++column) {
+    MPI_Gatherv(&from(0, column), owned, MPI_DOUBLE, whole_.data(), counts_.data(),
+                offsets_.data(), MPI_DOUBLE, 0, comm);
+    mumps_->rhs = whole_.data();
+    mumps_->nrhs = 1;
+    mumps_->lrhs = mumps_->n;
+    run(substitute);
+    if (result(1) < 0) throw SolveError("linear solver: MUMPS ran out of working space");
+    MPI_Scatterv(whole_.data(), counts_.data(), offsets_.data(), MPI_DOUBLE, &to(0, column),
+                 owned, MPI_DOUBLE, 0, comm);
+  }
+}
+
+}  // namespace hawser

@@ -1,0 +1,59 @@
+#pragma once
+// What NOX's parts (group, line search, status test) share during one solve.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hawser/base/error.hpp"
+#include "hawser/solve/nonlinear_driver.hpp"
+
+namespace hawser {
+
+class Newton {
+ public:
+  Newton(NonlinearProblem& problem, LinearOptions linear, NonlinearOptions options);
+
+  void begin();  ///< a new solve
+
+  /// An iterate's identity: two vectors with one stamp are the same, so their Jacobian is.
+  int new_stamp() { return next_stamp_++; }
+  bool has_jacobian(int stamp) const { return stamp == jacobian_stamp_; }
+  void compute_jacobian(const TpetraVector& x, int stamp);
+
+  /// SolveError when not admissible, or not finite.
+  void compute_residual(const TpetraVector& x, TpetraVector& f, TpetraVector& magnitude);
+
+  void solve_linear(const TpetraVector& f, TpetraVector& update);
+
+  /// The line search took this part of the update, from one row-scaled residual norm to another.
+  void accept_step(double step, double from, double to);
+  bool diverges(double norm) const;
+
+  /// Judges an iterate, records and reports it.
+  bool judge(int iteration, const TpetraVector& x, int stamp, const TpetraVector& f,
+             const TpetraVector& magnitude);
+
+  /// `what`, then what is wrong with the worst block of the iterate.
+  SolveError failure(const std::string& what, const TpetraVector& f,
+                     const TpetraVector& magnitude) const;
+
+  NonlinearProblem& problem;
+  LinearSolver linear;
+  NonlinearOptions options;
+  NonlinearReport report;
+  std::function<void(const IterationReport&)> on_iteration;
+  std::function<std::string(GlobalIndex)> describe_row;
+
+ private:
+  double linear_tolerance() const;
+
+  int next_stamp_ = 1;
+  int jacobian_stamp_ = 0;
+  std::vector<double> round_off_;  ///< per block, the residual that counts as none
+  LinearReport last_linear_;
+  double last_tolerance_ = 0;
+  double step_ = 0;
+  double first_norm_ = -1, previous_norm_ = -1, norm_ = -1;  ///< row-scaled; -1: not known yet
+};
+
+}  // namespace hawser

@@ -1,0 +1,60 @@
+#pragma once
+// One iterate with its residual, magnitude and Newton update, as NOX sees it.
+#include <NOX_Abstract_Group.H>
+
+#include "newton.hpp"
+
+namespace hawser {
+
+class NewtonGroup : public NOX::Abstract::Group {
+ public:
+  NewtonGroup(Newton& newton, const TpetraVector& x);
+  NewtonGroup(const NewtonGroup& source, NOX::CopyType type);
+
+  const TpetraVector& x() const { return *x_.values; }
+  const TpetraVector& residual() const { return *residual_.values; }
+  const TpetraVector& magnitude() const { return *magnitude_; }
+  int stamp() const { return stamp_; }
+
+  NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override;
+  void setX(const NOX::Abstract::Vector& x) override;
+  void computeX(const NOX::Abstract::Group& from, const NOX::Abstract::Vector& direction,
+                double step) override;
+  ReturnType computeF() override;
+  ReturnType computeJacobian() override;
+  ReturnType computeNewton(Teuchos::ParameterList& unused) override;
+  ReturnType applyJacobian(const NOX::Abstract::Vector& input,
+                           NOX::Abstract::Vector& result) const override;
+
+  bool isF() const override { return has_residual_; }
+  bool isJacobian() const override { return newton_.has_jacobian(stamp_); }
+  bool isNewton() const override { return has_update_; }
+  const NOX::Abstract::Vector& getX() const override { return *x_.view; }
+  const NOX::Abstract::Vector& getF() const override { return *residual_.view; }
+  double getNormF() const override { return residual_.view->norm(); }
+  const NOX::Abstract::Vector& getGradient() const override { return *update_.view; }  // never asked
+  const NOX::Abstract::Vector& getNewton() const override { return *update_.view; }
+  Teuchos::RCP<const NOX::Abstract::Vector> getXPtr() const override { return x_.view; }
+  Teuchos::RCP<const NOX::Abstract::Vector> getFPtr() const override { return residual_.view; }
+  Teuchos::RCP<const NOX::Abstract::Vector> getGradientPtr() const override { return update_.view; }
+  Teuchos::RCP<const NOX::Abstract::Vector> getNewtonPtr() const override { return update_.view; }
+  Teuchos::RCP<NOX::Abstract::Group> clone(NOX::CopyType type) const override;
+
+ private:
+  /// A Tpetra vector, and NOX's view of the same values.
+  struct Vector {
+    explicit Vector(const Teuchos::RCP<const TpetraMap>& map);
+    Teuchos::RCP<TpetraVector> values;
+    Teuchos::RCP<NOX::Abstract::Vector> view;
+  };
+  void moved();  ///< to another iterate
+
+  Newton& newton_;
+  Vector x_, residual_, update_;
+  Teuchos::RCP<TpetraVector> magnitude_;
+  int stamp_ = 0;
+  bool has_residual_ = false;
+  bool has_update_ = false;
+};
+
+}  // namespace hawser

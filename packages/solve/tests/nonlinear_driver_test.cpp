@@ -1,0 +1,153 @@
+#include "hawser/solve/nonlinear_driver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Tpetra_Vector.hpp>
+#include <cmath>
+
+#include "reaction_transport.hpp"
+
+namespace hawser {
+namespace {
+
+using test::ReactionTransport;
+using Method = LinearOptions::Method;
+
+struct Outcome {
+  NonlinearReport report;
+  TpetraVector x;
+  double error = 0;  ///< against the manufactured solution, relative
+};
+
+Outcome solve(LinearOptions linear, NonlinearOptions options = {}) {
+  ReactionTransport problem(24);
+  NonlinearDriver driver(problem, linear, options);
+  TpetraVector x(problem.system().rows);
+  auto report = driver.solve(x);
+  auto difference = problem.exact();
+  const double size = difference.norm2();
+  difference.update(1.0, x, -1.0);
+  return {std::move(report), x, difference.norm2() / size};
+}
+
+TEST(NonlinearDriver, FindsTheManufacturedSolutionWithBothBackends) {
+  LinearOptions linear;
+  linear.tolerance = 1e-10;
+  NonlinearOptions options;
+  options.tolerance = 1e-12;
+  const auto gmres = solve(linear, options);
+  linear.method = Method::mumps;
+  const auto mumps = solve(linear, options);
+  EXPECT_LT(gmres.error, 1e-9);
+  EXPECT_LT(mumps.error, 1e-9);
+  EXPECT_EQ(gmres.report.iterations, mumps.report.iterations);
+  EXPECT_EQ(gmres.report.iterations, 4);  // on any number of ranks
+  EXPECT_EQ(gmres.report.factorizations, gmres.report.iterations);
+  TpetraVector difference(gmres.x, Teuchos::Copy);
+  difference.update(1.0, mumps.x, -1.0);
+  EXPECT_LT(difference.norm2(), 1e-9 * gmres.x.norm2());
+}
+
+TEST(NonlinearDriver, ConvergesQuadratically) {
+  LinearOptions linear;
+  linear.method = Method::mumps;
+  linear.tolerance = 1e-12;
+  NonlinearOptions options;
+  options.tolerance = 1e-11;
+  const auto& ratios = solve(linear, options).report.ratios;
+  ASSERT_GE(ratios.size(), 4U);
+  int seen = 0;
+  for (std::size_t i = 1; i + 1 < ratios.size(); ++i) {
+    if (ratios[i - 1] > 1e-2 || ratios[i + 1] < 1e-13) continue;  // not near yet; round-off
+    const double order =
+        std::log(ratios[i + 1] / ratios[i]) / std::log(ratios[i] / ratios[i - 1]);
+    EXPECT_GT(order, 1.7) << ratios[i] << " -> " << ratios[i + 1];
+    ++seen;
+  }
+  EXPECT_GE(seen, 1);
+}
+
+TEST(NonlinearDriver, TheLargestBlockDecides) {
+  const auto outcome = solve({});
+  ASSERT_TRUE(outcome.report.converged);
+  for (const auto& norm : outcome.report.history.back()) EXPECT_LE(norm.ratio, 1e-8);
+  const auto& start = outcome.report.history.front();
+  ASSERT_EQ(start.size(), 2U);
+  for (const auto& norm : start) EXPECT_DOUBLE_EQ(norm.ratio, norm.residual / norm.magnitude);
+  EXPECT_EQ(start[0].block, "heat");
+  EXPECT_EQ(start[1].unit, "mol/s");
+  EXPECT_GT(start[0].magnitude, 1e4 * start[1].magnitude);  // the units lie far apart
+}
+
+TEST(NonlinearDriver, ReportsEveryIteration) {
+  ReactionTransport problem(12);
+  NonlinearDriver driver(problem, {}, {});
+  std::vector<IterationReport> seen;
+  driver.on_iteration([&](const IterationReport& report) { seen.push_back(report); });
+  TpetraVector x(problem.system().rows);
+  const auto report = driver.solve(x);
+  ASSERT_EQ(seen.size(), report.history.size());
+  int linear_iterations = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    EXPECT_EQ(seen[i].iteration, static_cast<int>(i));
+    EXPECT_EQ(seen[i].step, i == 0 ? 0 : 1);
+    EXPECT_EQ(seen[i].ratio, report.ratios[i]);
+    EXPECT_EQ(seen[i].blocks.size(), 2U);
+    linear_iterations += seen[i].linear_iterations;
+  }
+  EXPECT_EQ(linear_iterations, report.linear_iterations);
+}
+
+TEST(NonlinearDriver, KeptFactorSpansNewtonIterationsAndSolves) {
+  LinearOptions linear;
+  linear.keep_factor = true;
+  ReactionTransport problem(24);
+  NonlinearDriver driver(problem, linear, {});
+  int factorizations = 0;
+  for (const double speed : {20.0, 20.5, 21.0}) {
+    problem.speed = speed;
+    TpetraVector x(problem.system().rows);
+    const auto report = driver.solve(x);
+    EXPECT_LE(report.iterations, 5);
+    factorizations += report.factorizations;
+  }
+  EXPECT_EQ(factorizations, 1);
+  EXPECT_EQ(driver.linear_solver().factorizations(), 1);
+}
+
+TEST(NonlinearDriver, ForcingSavesLinearIterations) {
+  NonlinearOptions options;
+  const auto fixed = solve({}, options);
+  options.forcing = true;
+  const auto forced = solve({}, options);
+  EXPECT_LT(forced.report.linear_iterations, fixed.report.linear_iterations);
+  EXPECT_LE(forced.report.ratios.back(), options.tolerance);
+}
+
+TEST(NonlinearDriver, StartsFromTheSolutionWithoutAStep) {
+  ReactionTransport problem(12);
+  NonlinearDriver driver(problem, {}, {});
+  auto x = problem.exact();
+  const auto report = driver.solve(x);
+  EXPECT_TRUE(report.converged);
+  EXPECT_EQ(report.iterations, 0);
+  EXPECT_EQ(report.factorizations, 0);
+}
+
+TEST(NonlinearDriver, SameRunTwiceIsTheSameToTheLastBit) {
+  for (const auto method : {Method::gmres, Method::mumps}) {
+    if (method == Method::mumps && Communicator().size() > 1) continue;  // schedules dynamically
+    LinearOptions linear;
+    linear.method = method;
+    linear.keep_factor = true;
+    const auto first = solve(linear);
+    const auto second = solve(linear);
+    const auto a = first.x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto b = second.x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t row = 0; row < a.extent(0); ++row) ASSERT_EQ(a(row, 0), b(row, 0));
+    EXPECT_EQ(first.report.ratios, second.report.ratios);
+  }
+}
+
+}  // namespace
+}  // namespace hawser
