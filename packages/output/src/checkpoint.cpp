@@ -75,7 +75,14 @@ Hdf5File open_checkpoint(const Communicator& communicator, const std::string& pa
 
 void write_checkpoint(const Communicator& communicator, const std::string& path,
                       const CheckpointHeader& header, const std::vector<NamedArray>& arrays) {
-  communicator.on_root([&] { create_empty(unfinished(path)); });
+  GlobalIndex numbers = 0;
+  for (const NamedArray& array : arrays) {
+    numbers += array.global_count * array.components;
+  }
+  for (const auto& [name, text] : header.texts) {
+    numbers += static_cast<GlobalIndex>(text.size() / sizeof(double)) + 1;
+  }
+  communicator.on_root([&] { try_room(unfinished(path), room_for(numbers)); });
   Hdf5File file = Hdf5File::create(communicator, unfinished(path));
   file.set("/", "format", "hawser checkpoint");
   file.set("/", "format_version", format_version);

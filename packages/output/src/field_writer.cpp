@@ -98,14 +98,19 @@ void FieldWriter::write(int step, double time, const std::vector<double>& coordi
   }
 
   const std::string data = path(step, "h5");
-  communicator_.on_root([&] { create_empty(unfinished(data)); });
+  const int corners = grid_.kind == CellKind::triangle ? 3 : 2;
+  GlobalIndex numbers =
+      3 * grid_.point_count + static_cast<GlobalIndex>(corners) * grid_.cell_count;
+  for (const PointField& field : fields) {
+    numbers += grid_.point_count * written_components(field.components);
+  }
+  communicator_.on_root([&] { try_room(unfinished(data), room_for(numbers)); });
   Hdf5File file = Hdf5File::create(communicator_, unfinished(data));
   file.set("/", "step", GlobalIndex{step});
   file.set("/", "time", time);
   file.write("points", {grid_.point_count, 3}, points_->positions(),
              widened(coordinates, grid_.dimension, 3));
-  file.write("cells", {grid_.cell_count, grid_.kind == CellKind::triangle ? 3 : 2},
-             cells_->positions(), joined_);
+  file.write("cells", {grid_.cell_count, corners}, cells_->positions(), joined_);
   file.make_group("fields");
   for (const PointField& field : fields) {
     const int components = written_components(field.components);

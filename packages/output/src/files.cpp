@@ -31,6 +31,13 @@ class Descriptor {
       if (count > 0) done += static_cast<std::size_t>(count);
     }
   }
+  void reserve(std::size_t bytes) const {
+    if (bytes == 0 || fallocate(fd_, 0, 0, static_cast<off_t>(bytes)) == 0) return;
+    if (errno == EOPNOTSUPP || errno == ENOSYS) return;  // some file systems cannot promise
+    const int reason = errno;
+    unlink(path_.c_str());
+    throw_cannot("write", path_, reason);
+  }
   void sync() const {
     // EINVAL: a file system that cannot sync has nothing further to promise.
     if (fsync(fd_) != 0 && errno != EINVAL) throw_cannot("write", path_, errno);
@@ -49,7 +56,13 @@ void throw_cannot(const std::string& verb, const std::string& path, int error_nu
   throw OutputError("cannot " + verb + " " + path + ": " + std::strerror(error_number));
 }
 
-void create_empty(const std::string& path) { Descriptor(path, O_WRONLY | O_CREAT | O_TRUNC); }
+std::size_t room_for(GlobalIndex numbers) {
+  return (64U << 10U) + 8 * static_cast<std::size_t>(numbers);
+}
+
+void try_room(const std::string& path, std::size_t bytes) {
+  Descriptor(path, O_WRONLY | O_CREAT | O_TRUNC).reserve(bytes);
+}
 
 void finish(const std::string& path) {
   Descriptor(unfinished(path), O_RDONLY).sync();

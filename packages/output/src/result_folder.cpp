@@ -14,7 +14,7 @@ ResultFolder::ResultFolder(const Communicator& communicator, std::string path, b
     std::filesystem::create_directories(path_, error);
     if (error) throw_cannot("make the folder", path_, error.value());
     const std::string trial = file("writable");
-    create_empty(trial);
+    try_room(trial, 0);
     std::filesystem::remove(trial, error);
     const std::string summary = file("summary.json");
     if (!std::filesystem::exists(summary, error)) return;
