@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "hawser/deck/diagnostics.hpp"
+#include "hawser/deck/spec_reader.hpp"
 #include "src/number.hpp"
 
 namespace hawser {
@@ -56,7 +57,7 @@ bool contains(const std::vector<std::string>& words, const std::string& word) {
 }
 
 std::string sentence(const mu::ParserError& error) {
-  const std::string token = error.GetToken();
+  const std::string token = trimmed(error.GetToken());
   switch (error.GetCode()) {
     case mu::ecUNEXPECTED_EOF: return "the expression ends too early";
     case mu::ecMISSING_PARENS: return "a closing parenthesis is missing";
@@ -64,9 +65,10 @@ std::string sentence(const mu::ParserError& error) {
     case mu::ecTOO_MANY_PARAMS: return "too many arguments for the function '" + token + "'";
     case mu::ecMISSING_ELSE_CLAUSE: return "'?' needs its ':'";
     case mu::ecEXPRESSION_TOO_LONG: return "the expression is too long";
+    case mu::ecSTR_RESULT: return "texts are not allowed in an expression";
     default:
-      return quoted(token) + " is not expected after " + std::to_string(error.GetPos()) +
-             " characters of the expression";
+      return quoted(token) + " is not expected at character " + std::to_string(error.GetPos() + 1) +
+             " of the expression";
   }
 }
 
@@ -75,7 +77,7 @@ std::string sentence(const mu::ParserError& error) {
 CompiledFormula::CompiledFormula(const std::string& formula, std::string& fault) {
   try {
     define_names();
-    fault = fault_in_names(formula);
+    fault = trimmed(formula).empty() ? "the expression is empty" : fault_in_names(formula);
     if (fault.empty()) fault = compile(formula);
   } catch (const mu::ParserError& error) {
     fault = sentence(error);
@@ -130,9 +132,11 @@ std::string CompiledFormula::fault_in_names(const std::string& formula) const {
       if (called && !contains(functions, name))
         return "there is no function " + quoted(name) + "; functions are " + listed(functions) +
                did_you_mean(name, functions);
+      if (!called && contains(functions, name))
+        return "the function " + quoted(name) + " needs its arguments in parentheses";
       if (!called && !contains(names, name))
         return "the name " + quoted(name) + " is not known; names are " + listed(names) +
-               did_you_mean(name, contains(functions, name) ? std::vector<std::string>{} : names);
+               did_you_mean(name, names);
     } else {
       const bool compares = i + 1 < formula.size() && formula[i + 1] == '=';
       if (c == '=' && !compares) return "'=' is not allowed; == compares";

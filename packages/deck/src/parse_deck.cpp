@@ -156,7 +156,7 @@ void check_bytes(const std::string& text, const std::string& file) {
 
 Deck parse_deck(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
   check_bytes(text, file);
-  std::string buffer = text;
+  std::string buffer = text + '\n';  // pugixml overwrites the last character
   Converter converter(text, buffer, file, diagnostics);
   pugi::xml_document document;
   const unsigned options = pugi::parse_default | pugi::parse_doctype | pugi::parse_pi |
@@ -164,8 +164,10 @@ Deck parse_deck(const std::string& text, const std::string& file, Diagnostics& d
   const pugi::xml_parse_result result =
       document.load_buffer_inplace(buffer.data(), buffer.size(), options, pugi::encoding_utf8);
   if (!result) {
-    const auto offset = static_cast<std::size_t>(result.offset);
+    auto offset = static_cast<std::size_t>(result.offset);
     const bool at_end = text.find_first_not_of(" \t\r\n", offset) == std::string::npos;
+    // An unclosed comment runs to the end of the deck: what helps is where it begins.
+    if (result.status == pugi::status_bad_comment) offset = text.rfind("<!--", offset);
     throw DeckError(converter.places().at(offset).text() + ": " + sentence(result.status, at_end));
   }
   return {file, text, converter.root(document)};
