@@ -11,7 +11,7 @@ std::unique_ptr<Factor> make_factor(const Communicator& communicator,
     case LinearOptions::Method::gmres:
       return std::make_unique<SchwarzFactor>(communicator, options);
     case LinearOptions::Method::mumps:
-      return std::make_unique<MumpsFactor>(communicator);
+      return std::make_unique<MumpsFactor>(communicator, options.repeatable);
   }
   throw std::logic_error("make_factor: unknown method");
 }

@@ -1,7 +1,6 @@
 #pragma once
-// Complete LU of the distributed matrix by MUMPS.
-//
-// On several ranks MUMPS schedules dynamically, hence rounds differently from run to run.
+// Complete LU by MUMPS, either of the distributed matrix by all ranks, or repeatably by rank 0 alone
+// (LinearOptions::repeatable says why).
 #include <vector>
 
 #include "hawser/base/types.hpp"
@@ -11,7 +10,7 @@ namespace hawser {
 
 class MumpsFactor : public Factor {
  public:
-  explicit MumpsFactor(const Communicator& communicator);
+  MumpsFactor(const Communicator& communicator, bool repeatable);
   ~MumpsFactor() override;
   MumpsFactor(const MumpsFactor&) = delete;
   MumpsFactor& operator=(const MumpsFactor&) = delete;
@@ -21,16 +20,26 @@ class MumpsFactor : public Factor {
 
  private:
   struct Mumps;  ///< MUMPS' own structure
+  /// What every rank has of a vector, one after the other.
+  struct Layout {
+    Layout() = default;
+    Layout(const Communicator& communicator, int mine);
+    std::vector<int> counts, offsets;  ///< per rank; the last offset is the size of the whole
+  };
   void number_entries();
+  void gather_entries();
   void run(int job) const;  ///< SolveError on all ranks when MUMPS reports one
-  int result(int which) const;
+  bool out_of_space() const;
 
   Communicator communicator_;
+  bool on_root_;  ///< rank 0 factors alone
   Teuchos::RCP<const TpetraMatrix> matrix_;
   std::unique_ptr<Mumps> mumps_;
-  std::vector<int> row_numbers_, column_numbers_;  ///< per local entry, from 1, rank after rank
-  std::vector<int> counts_, offsets_;              ///< owned rows of every rank
-  mutable std::vector<double> whole_;              ///< a whole vector, on rank 0 only
+  std::vector<int> row_numbers_, column_numbers_;  ///< of the entries MUMPS gets here, from 1
+  std::vector<double> gathered_;                   ///< values of all entries, on rank 0
+  Layout rows_, entries_;
+  mutable std::vector<double> whole_;              ///< a whole vector, on rank 0
+  mutable int result_[2] = {0, 0};                 ///< MUMPS' error code and its detail, on all ranks
 };
 
 }  // namespace hawser

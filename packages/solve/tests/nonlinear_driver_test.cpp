@@ -136,7 +136,6 @@ TEST(NonlinearDriver, StartsFromTheSolutionWithoutAStep) {
 
 TEST(NonlinearDriver, SameRunTwiceIsTheSameToTheLastBit) {
   for (const auto method : {Method::gmres, Method::mumps}) {
-    if (method == Method::mumps && Communicator().size() > 1) continue;  // schedules dynamically
     LinearOptions linear;
     linear.method = method;
     linear.keep_factor = true;
