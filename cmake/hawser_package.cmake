@@ -21,9 +21,11 @@
 
 include(check_layers)
 
-# Warnings as errors for our own code only.
+# Warnings as errors for our own code only. g++ 12 sees uninitialized strings in structs that are moved
+# (a false alarm, and more so at -O3), hence the last one.
 add_library(hawser_warnings INTERFACE)
-target_compile_options(hawser_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror)
+target_compile_options(hawser_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror
+  -Wno-maybe-uninitialized)
 
 set(HAWSER_KERNEL_OPTIONS "")
 if(HAWSER_NATIVE)
