@@ -6,10 +6,11 @@
 
 namespace hawser {
 
-// The residual is measured row-scaled, in the norm that the linear solver reduces: an inexact Newton
-// step is a descent direction for that norm, and it never mixes newtons with metres.
+// The residual is measured row-scaled, in the norm that the linear solver reduces: an inexact
+// Newton step is a descent direction for that norm, and it never mixes newtons with metres.
 bool Backtrack::compute(NOX::Abstract::Group& group, double& step,
-                        const NOX::Abstract::Vector& direction, const NOX::Solver::Generic& solver) {
+                        const NOX::Abstract::Vector& direction,
+                        const NOX::Solver::Generic& solver) {
   auto& trial = dynamic_cast<NewtonGroup&>(group);
   const auto& start = dynamic_cast<const NewtonGroup&>(solver.getPreviousSolutionGroup());
   const double norm_before = newton_.linear.scaled_norm(start.residual());

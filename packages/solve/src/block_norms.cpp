@@ -3,6 +3,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Vector.hpp>
+
 #include <cmath>
 #include <cstdio>
 
@@ -13,7 +14,8 @@ namespace {
 void reduce_norms(const BlockSystem& system, std::vector<double>& squares) {
   MPI_Allreduce(MPI_IN_PLACE, squares.data(), static_cast<int>(squares.size()), MPI_DOUBLE, MPI_SUM,
                 system.communicator.mpi());
-  for (double& value : squares) value = std::sqrt(value);
+  for (double& value : squares)
+    value = std::sqrt(value);
 }
 
 }  // namespace

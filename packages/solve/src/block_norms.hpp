@@ -13,11 +13,12 @@ std::vector<BlockNorm> block_norms(const BlockSystem& system, const TpetraVector
                                    const TpetraVector& magnitude,
                                    const std::vector<double>& round_off);
 
-/// Per block, the 2-norm of |J| |x|: multiplied by the machine's precision, what rounding alone can do
-/// to a residual whose contributions cancel before they are recorded as its magnitude.
+/// Per block, the 2-norm of |J| |x|: multiplied by the machine's precision, what rounding alone can
+/// do to a residual whose contributions cancel before they are recorded as its magnitude.
 std::vector<double> product_magnitudes(const BlockSystem& system, const TpetraVector& x);
 
-int worst_of(const std::vector<BlockNorm>& norms);  ///< index of the largest ratio, a NaN before all
+int worst_of(
+    const std::vector<BlockNorm>& norms);  ///< index of the largest ratio, a NaN before all
 
 /// "block fluid, field velocity: residual 1.2e+03 N, 3.1e-04 of its magnitude, largest at <row>".
 std::string describe_block(const BlockSystem& system, const BlockNorm& norm, const Block& block,

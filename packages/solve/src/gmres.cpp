@@ -48,9 +48,8 @@ GmresOutcome gmres(const Teuchos::RCP<const TpetraMatrix>& matrix, const Factor&
                    TpetraVector& x) {
   x.putScalar(0.0);
   using Problem = Belos::LinearProblem<double, TpetraMultiVector, TpetraOperator>;
-  const auto problem = Teuchos::rcp(
-      new Problem(matrix, Teuchos::rcpFromRef<TpetraMultiVector>(x),
-                  Teuchos::rcpFromRef<const TpetraMultiVector>(b)));
+  const auto problem = Teuchos::rcp(new Problem(matrix, Teuchos::rcpFromRef<TpetraMultiVector>(x),
+                                                Teuchos::rcpFromRef<const TpetraMultiVector>(b)));
   problem->setRightPrec(Teuchos::rcp(new FactorOperator(factor, matrix->getRangeMap())));
   problem->setProblem();
   const auto solver = Belos::SolverFactory<double, TpetraMultiVector, TpetraOperator>().create(

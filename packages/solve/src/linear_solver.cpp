@@ -2,6 +2,7 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
+
 #include <cmath>
 #include <cstdio>
 
@@ -52,8 +53,8 @@ struct LinearSolver::Implementation {
   void judge_factor(int iterations, double tolerance) {
     const double decades = std::max(-std::log10(tolerance), 1e-3);
     if (fresh_effort < 0) fresh_effort = iterations / decades;
-    refresh_due = iterations >
-                  options.refresh_ratio * fresh_effort * decades + options.refresh_slack;
+    refresh_due =
+        iterations > options.refresh_ratio * fresh_effort * decades + options.refresh_slack;
   }
 
   BlockSystem& system;
@@ -74,10 +75,11 @@ namespace {
 
 SolveError failure(const GmresOutcome& outcome, double reached, double tolerance) {
   char text[160];
-  std::snprintf(text, sizeof text,
-                "linear solver: GMRES reached a relative residual of %.2e after %d iterations with a "
-                "fresh factor, wanted %.2e",
-                reached, outcome.iterations, tolerance);
+  std::snprintf(
+      text, sizeof text,
+      "linear solver: GMRES reached a relative residual of %.2e after %d iterations with a "
+      "fresh factor, wanted %.2e",
+      reached, outcome.iterations, tolerance);
   return SolveError(text);
 }
 
@@ -100,9 +102,13 @@ const LinearOptions& LinearSolver::options() const { return implementation_->opt
 
 int LinearSolver::factorizations() const { return implementation_->factorizations; }
 
+void LinearSolver::scale(const TpetraVector& residual, TpetraVector& scaled) const {
+  implementation_->scaling.apply(residual, scaled);
+}
+
 double LinearSolver::scaled_norm(const TpetraVector& residual) {
   auto& self = *implementation_;
-  self.scaling.apply(residual, self.remainder);
+  scale(residual, self.remainder);
   return self.remainder.norm2();
 }
 

@@ -1,10 +1,10 @@
 #include "mumps_factor.hpp"
 
-#include <dmumps_c.h>
-
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Vector.hpp>
+#include <dmumps_c.h>
+
 #include <string>
 
 #include "hawser/base/error.hpp"
@@ -25,7 +25,8 @@ constexpr int working_space_too_small_for_solve = -11;
 MumpsFactor::Layout::Layout(const Communicator& communicator, int mine)
     : counts(static_cast<std::size_t>(communicator.size())), offsets(1, 0) {
   MPI_Allgather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator.mpi());
-  for (const int count : counts) offsets.push_back(offsets.back() + count);
+  for (const int count : counts)
+    offsets.push_back(offsets.back() + count);
 }
 
 MumpsFactor::MumpsFactor(const Communicator& communicator, bool repeatable)
@@ -37,7 +38,8 @@ MumpsFactor::MumpsFactor(const Communicator& communicator, bool repeatable)
   mumps_->par = 1;  // rank 0 works too
   mumps_->sym = 0;
   run(begin);
-  for (const int stream : {1, 2, 3}) mumps_->control(stream) = -1;  // print nothing
+  for (const int stream : {1, 2, 3})
+    mumps_->control(stream) = -1;  // print nothing
   mumps_->control(4) = 0;
   mumps_->control(18) = 3;   // entries stay on the ranks that own their rows
   mumps_->control(14) = 40;  // percent of working space beyond the estimate
@@ -80,7 +82,8 @@ void MumpsFactor::number_entries() {
   // Numbers travel to ghost columns as doubles, exact up to 2^53.
   TpetraVector row_number(rows);
   TpetraVector column_number(columns);
-  for (int row = 0; row < owned; ++row) row_number.replaceLocalValue(row, first + row + 1.0);
+  for (int row = 0; row < owned; ++row)
+    row_number.replaceLocalValue(row, first + row + 1.0);
   column_number.doImport(row_number, Tpetra::Import<>(rows, columns), Tpetra::INSERT);
 
   const auto number = column_number.getLocalViewHost(Tpetra::Access::ReadOnly);

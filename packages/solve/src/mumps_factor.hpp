@@ -1,6 +1,6 @@
 #pragma once
-// Complete LU by MUMPS, either of the distributed matrix by all ranks, or repeatably by rank 0 alone
-// (LinearOptions::repeatable says why).
+// Complete LU by MUMPS, either of the distributed matrix by all ranks, or repeatably by rank 0
+// alone (LinearOptions::repeatable says why).
 #include <vector>
 
 #include "hawser/base/types.hpp"
@@ -38,8 +38,8 @@ class MumpsFactor : public Factor {
   std::vector<int> row_numbers_, column_numbers_;  ///< of the entries MUMPS gets here, from 1
   std::vector<double> gathered_;                   ///< values of all entries, on rank 0
   Layout rows_, entries_;
-  mutable std::vector<double> whole_;              ///< a whole vector, on rank 0
-  mutable int result_[2] = {0, 0};                 ///< MUMPS' error code and its detail, on all ranks
+  mutable std::vector<double> whole_;  ///< a whole vector, on rank 0
+  mutable int result_[2] = {0, 0};     ///< MUMPS' error code and its detail, on all ranks
 };
 
 }  // namespace hawser

@@ -1,6 +1,7 @@
 #include "newton.hpp"
 
 #include <Tpetra_Vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,24 +11,31 @@ namespace hawser {
 
 Newton::Newton(NonlinearProblem& a_problem, LinearOptions linear_options,
                NonlinearOptions some_options)
-    : problem(a_problem), linear(a_problem.system(), linear_options), options(some_options) {}
+    : problem(a_problem),
+      linear(a_problem.system(), linear_options),
+      options(some_options),
+      round_off_(a_problem.system().blocks.size(), 0.0) {}
 
 void Newton::begin() {
   report = {};
+  first_iteration_ = 0;
   jacobian_stamp_ = 0;
-  round_off_.assign(problem.system().blocks.size(), 0.0);
   last_linear_ = {};
   last_tolerance_ = 0;
   step_ = 0;
   first_norm_ = previous_norm_ = norm_ = -1;
 }
 
+void Newton::resume() { first_iteration_ = report.iterations; }
+
 void Newton::compute_jacobian(const TpetraVector& x, int stamp) {
   if (has_jacobian(stamp)) return;
   problem.jacobian(x);
+  ++report.jacobians;
   linear.matrix_changed();
   round_off_ = product_magnitudes(problem.system(), x);
-  for (double& value : round_off_) value *= options.round_off;
+  for (double& value : round_off_)
+    value *= options.round_off;
   jacobian_stamp_ = stamp;
 }
 
@@ -38,7 +46,11 @@ void Newton::compute_residual(const TpetraVector& x, TpetraVector& f, TpetraVect
 
 void Newton::solve_linear(const TpetraVector& f, TpetraVector& update) {
   last_tolerance_ = linear_tolerance();
-  last_linear_ = linear.solve(f, update, last_tolerance_);
+  solve_linear(f, update, last_tolerance_);
+}
+
+void Newton::solve_linear(const TpetraVector& f, TpetraVector& update, double tolerance) {
+  last_linear_ = linear.solve(f, update, tolerance);
   update.scale(-1.0);
 }
 
@@ -68,22 +80,23 @@ bool Newton::judge(int iteration, const TpetraVector& x, int stamp, const Tpetra
                    const TpetraVector& magnitude) {
   auto norms = block_norms(problem.system(), f, magnitude, round_off_);
   auto worst = static_cast<std::size_t>(worst_of(norms));
-  if (iteration == 0 && norms[worst].ratio > options.tolerance) {
+  if (stamp > 0 && iteration == 0 && norms[worst].ratio > options.tolerance) {
     compute_jacobian(x, stamp);  // needed next anyway; it tells what is round-off at the start
     norms = block_norms(problem.system(), f, magnitude, round_off_);
     worst = static_cast<std::size_t>(worst_of(norms));
   }
   report.converged = norms[worst].ratio <= options.tolerance;
-  report.iterations = iteration;
+  report.iterations = first_iteration_ + iteration;
   report.linear_iterations += last_linear_.iterations;
   report.factorizations += last_linear_.factored ? 1 : 0;
   report.history.push_back(norms);
   report.ratios.push_back(norms[worst].ratio);
   if (on_iteration) {
-    on_iteration({iteration, step_, last_linear_.iterations, last_linear_.reached,
+    on_iteration({report.iterations, step_, last_linear_.iterations, last_linear_.reached,
                   last_linear_.factored, norms[worst].ratio, static_cast<int>(worst),
                   std::move(norms)});
   }
+  last_linear_ = {};
   return report.converged;
 }
 

@@ -13,7 +13,8 @@ class Newton {
  public:
   Newton(NonlinearProblem& problem, LinearOptions linear, NonlinearOptions options);
 
-  void begin();  ///< a new solve
+  void begin();   ///< a new solve
+  void resume();  ///< the same solve by another method, which counts its iterations from 0 again
 
   /// An iterate's identity: two vectors with one stamp are the same, so their Jacobian is.
   int new_stamp() { return next_stamp_++; }
@@ -23,13 +24,17 @@ class Newton {
   /// SolveError when not admissible, or not finite.
   void compute_residual(const TpetraVector& x, TpetraVector& f, TpetraVector& magnitude);
 
+  /// update = -J^-1 f with the last Jacobian, to the tolerance that Newton wants or the one given.
   void solve_linear(const TpetraVector& f, TpetraVector& update);
+  void solve_linear(const TpetraVector& f, TpetraVector& update, double tolerance);
+  const LinearReport& last_linear() const { return last_linear_; }
 
   /// The line search took this part of the update, from one row-scaled residual norm to another.
   void accept_step(double step, double from, double to);
   bool diverges(double norm) const;
 
-  /// Judges an iterate, records and reports it.
+  /// Judges an iterate, records and reports it. `iteration` counts from the last begin() or
+  /// resume(); with a stamp of 0 no Jacobian is made to judge by.
   bool judge(int iteration, const TpetraVector& x, int stamp, const TpetraVector& f,
              const TpetraVector& magnitude);
 
@@ -47,6 +52,7 @@ class Newton {
  private:
   double linear_tolerance() const;
 
+  int first_iteration_ = 0;
   int next_stamp_ = 1;
   int jacobian_stamp_ = 0;
   std::vector<double> round_off_;  ///< per block, the residual that counts as none

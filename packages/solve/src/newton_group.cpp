@@ -1,7 +1,6 @@
 #include "newton_group.hpp"
 
 #include <NOX_Thyra_Vector.H>
-
 #include <Thyra_TpetraThyraWrappers.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>

@@ -32,7 +32,9 @@ class NewtonGroup : public NOX::Abstract::Group {
   const NOX::Abstract::Vector& getX() const override { return *x_.view; }
   const NOX::Abstract::Vector& getF() const override { return *residual_.view; }
   double getNormF() const override { return residual_.view->norm(); }
-  const NOX::Abstract::Vector& getGradient() const override { return *update_.view; }  // never asked
+  const NOX::Abstract::Vector& getGradient() const override {
+    return *update_.view;
+  }  // never asked
   const NOX::Abstract::Vector& getNewton() const override { return *update_.view; }
   Teuchos::RCP<const NOX::Abstract::Vector> getXPtr() const override { return x_.view; }
   Teuchos::RCP<const NOX::Abstract::Vector> getFPtr() const override { return residual_.view; }

@@ -3,12 +3,12 @@
 #include <NOX_Solver_Factory.H>
 #include <NOX_Solver_Generic.H>
 #include <NOX_Utils.H>
-
 #include <Teuchos_oblackholestream.hpp>
 #include <Tpetra_Vector.hpp>
 
 #include "backtrack.hpp"
 #include "block_test.hpp"
+#include "lagged.hpp"
 #include "newton_group.hpp"
 
 namespace hawser {
@@ -33,23 +33,30 @@ Teuchos::RCP<Teuchos::ParameterList> nox_parameters(Newton& newton) {
 
 struct NonlinearDriver::Implementation {
   Newton newton;
+  Lagged lagged{newton};
 };
 
 NonlinearDriver::NonlinearDriver(NonlinearProblem& problem, LinearOptions linear,
                                  NonlinearOptions options)
-    : implementation_(new Implementation{Newton(problem, linear, options)}) {}
+    : implementation_(new Implementation{{problem, linear, options}}) {}
 NonlinearDriver::~NonlinearDriver() = default;
 
 NonlinearReport NonlinearDriver::solve(TpetraVector& x) {
   auto& newton = implementation_->newton;
   newton.begin();
-  const auto group = Teuchos::rcp(new NewtonGroup(newton, x));
+  TpetraVector start(x, Teuchos::Copy);
+  if (implementation_->lagged.solve(start)) {
+    x.update(1.0, start, 0.0);
+    return newton.report;
+  }
+  newton.resume();
+  const auto group = Teuchos::rcp(new NewtonGroup(newton, start));
   const auto test = Teuchos::rcp(new BlockTest(newton));
   const auto solver = NOX::Solver::buildSolver(group, test, nox_parameters(newton));
   if (solver->solve() != NOX::StatusTest::Converged) {
-    throw newton.failure("no convergence in " + std::to_string(newton.options.max_iterations) +
-                             " iterations",
-                         group->residual(), group->magnitude());
+    throw newton.failure(
+        "no convergence in " + std::to_string(newton.options.max_iterations) + " iterations",
+        group->residual(), group->magnitude());
   }
   x.update(1.0, group->x(), 0.0);
   return newton.report;
@@ -61,6 +68,11 @@ void NonlinearDriver::on_iteration(std::function<void(const IterationReport&)> c
 
 void NonlinearDriver::describe_row(std::function<std::string(GlobalIndex)> describe) {
   implementation_->newton.describe_row = std::move(describe);
+}
+
+void NonlinearDriver::forget() {
+  implementation_->newton.linear.drop_factor();
+  implementation_->lagged.forget();
 }
 
 LinearSolver& NonlinearDriver::linear_solver() { return implementation_->newton.linear; }

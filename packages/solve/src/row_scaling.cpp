@@ -2,6 +2,7 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 

@@ -4,6 +4,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_RowMatrix.hpp>
 #include <Tpetra_Vector.hpp>
+
 #include <cmath>
 
 #include "hawser/base/error.hpp"
@@ -23,7 +24,8 @@ SchwarzFactor::~SchwarzFactor() = default;
 void SchwarzFactor::symbolic(const Teuchos::RCP<const TpetraMatrix>& matrix) {
   Teuchos::ParameterList list;
   list.set("schwarz: overlap level", options_.overlap);
-  // Field after field, as the rows are numbered, an incomplete factor needs 2-3 times the iterations.
+  // Field after field, as the rows are numbered, an incomplete factor needs 2-3 times the
+  // iterations.
   list.set("schwarz: use reordering", true);
   list.sublist("schwarz: reordering list").set("order_method", "rcm");
   list.set("inner preconditioner name", "RILUK");
@@ -46,8 +48,9 @@ void SchwarzFactor::numeric() {
   ones.putScalar(1.0);
   solve(ones, probe);
   if (!std::isfinite(probe.norm2()))
-    throw SolveError("linear solver: a pivot of the incomplete factor vanishes; the matrix is "
-                     "singular, or needs the method mumps");
+    throw SolveError(
+        "linear solver: a pivot of the incomplete factor vanishes; the matrix is "
+        "singular, or needs the method mumps");
 }
 
 void SchwarzFactor::solve(const TpetraMultiVector& b, TpetraMultiVector& x) const {

@@ -1,9 +1,9 @@
 #include "hawser/solve/linear_solver.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <limits>
 
@@ -169,7 +169,8 @@ TEST_F(LinearSolverTest, SingularMatrixIsAnError) {
 TEST_F(LinearSolverTest, ZeroRowOnOneRankIsAnErrorOnAll) {
   if (Communicator().is_root()) {
     const auto local = matrix->getLocalMatrixHost();
-    for (auto k = local.graph.row_map(3); k < local.graph.row_map(4); ++k) local.values(k) = 0;
+    for (auto k = local.graph.row_map(3); k < local.graph.row_map(4); ++k)
+      local.values(k) = 0;
   }
   LinearSolver solver(problem.system(), {});
   try {

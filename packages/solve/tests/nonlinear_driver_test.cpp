@@ -1,8 +1,8 @@
 #include "hawser/solve/nonlinear_driver.hpp"
 
+#include <Tpetra_Vector.hpp>
 #include <gtest/gtest.h>
 
-#include <Tpetra_Vector.hpp>
 #include <cmath>
 
 #include "reaction_transport.hpp"
@@ -59,8 +59,7 @@ TEST(NonlinearDriver, ConvergesQuadratically) {
   int seen = 0;
   for (std::size_t i = 1; i + 1 < ratios.size(); ++i) {
     if (ratios[i - 1] > 1e-2 || ratios[i + 1] < 1e-13) continue;  // not near yet; round-off
-    const double order =
-        std::log(ratios[i + 1] / ratios[i]) / std::log(ratios[i] / ratios[i - 1]);
+    const double order = std::log(ratios[i + 1] / ratios[i]) / std::log(ratios[i] / ratios[i - 1]);
     EXPECT_GT(order, 1.7) << ratios[i] << " -> " << ratios[i + 1];
     ++seen;
   }
@@ -70,10 +69,12 @@ TEST(NonlinearDriver, ConvergesQuadratically) {
 TEST(NonlinearDriver, TheLargestBlockDecides) {
   const auto outcome = solve({});
   ASSERT_TRUE(outcome.report.converged);
-  for (const auto& norm : outcome.report.history.back()) EXPECT_LE(norm.ratio, 1e-8);
+  for (const auto& norm : outcome.report.history.back())
+    EXPECT_LE(norm.ratio, 1e-8);
   const auto& start = outcome.report.history.front();
   ASSERT_EQ(start.size(), 2U);
-  for (const auto& norm : start) EXPECT_DOUBLE_EQ(norm.ratio, norm.residual / norm.magnitude);
+  for (const auto& norm : start)
+    EXPECT_DOUBLE_EQ(norm.ratio, norm.residual / norm.magnitude);
   EXPECT_EQ(start[0].block, "heat");
   EXPECT_EQ(start[1].unit, "mol/s");
   EXPECT_GT(start[0].magnitude, 1e4 * start[1].magnitude);  // the units lie far apart
@@ -115,6 +116,38 @@ TEST(NonlinearDriver, KeptFactorSpansNewtonIterationsAndSolves) {
   EXPECT_EQ(driver.linear_solver().factorizations(), 1);
 }
 
+// As in a run of time steps: the problem moves on a little from solve to solve.
+TEST(NonlinearDriver, LaggedJacobianServesManySolves) {
+  for (const auto method : {Method::gmres, Method::mumps}) {
+    LinearOptions linear;
+    linear.method = method;
+    linear.keep_factor = true;
+    NonlinearOptions options;
+    options.lagged = true;
+    ReactionTransport problem(24);
+    NonlinearDriver driver(problem, linear, options);
+    TpetraVector x(problem.system().rows);
+    int jacobians = 0;
+    for (int step = 0; step < 10; ++step) {
+      problem.speed = 20 + step;
+      x.putScalar(0.1);
+      jacobians += driver.solve(x).jacobians;
+      auto difference = problem.exact();
+      difference.update(1.0, x, -1.0);
+      EXPECT_LT(difference.norm2(), 1e-5 * x.norm2());
+    }
+    EXPECT_LE(jacobians, 4);  // Newton would take 3 each time
+    driver.forget();
+    x.putScalar(0.1);
+    EXPECT_GE(driver.solve(x).jacobians, 2);
+    problem.speed = -4000;
+    x.putScalar(0.1);
+    const auto report = driver.solve(x);
+    EXPECT_TRUE(report.converged);
+    EXPECT_GE(report.jacobians, 1);  // lagging has failed, Newton has not
+  }
+}
+
 TEST(NonlinearDriver, ForcingSavesLinearIterations) {
   NonlinearOptions options;
   const auto fixed = solve({}, options);
@@ -143,7 +176,8 @@ TEST(NonlinearDriver, SameRunTwiceIsTheSameToTheLastBit) {
     const auto second = solve(linear);
     const auto a = first.x.getLocalViewHost(Tpetra::Access::ReadOnly);
     const auto b = second.x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    for (std::size_t row = 0; row < a.extent(0); ++row) ASSERT_EQ(a(row, 0), b(row, 0));
+    for (std::size_t row = 0; row < a.extent(0); ++row)
+      ASSERT_EQ(a(row, 0), b(row, 0));
     EXPECT_EQ(first.report.ratios, second.report.ratios);
   }
 }

@@ -3,6 +3,7 @@
 #include <Tpetra_Core.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
+
 #include <cmath>
 #include <functional>
 
@@ -39,7 +40,7 @@ class PointwiseProblem : public NonlinearProblem {
       const double value = function_(values(row, 0));
       admissible = admissible && (report_nan_as_value || !std::isnan(value));
       f.replaceLocalValue(row, value);
-      magnitude.replaceLocalValue(row, 1.0 + std::abs(value));
+      magnitude.replaceLocalValue(row, least_magnitude + std::abs(value));
     }
     if (system_.communicator.any(!admissible)) throw SolveError("height is not admissible");
   }
@@ -60,6 +61,7 @@ class PointwiseProblem : public NonlinearProblem {
     return x;
   }
 
+  double least_magnitude = 1.0;
   bool report_nan_as_value = false;  ///< leave it to the driver to notice
 
  private:

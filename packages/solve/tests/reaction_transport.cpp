@@ -4,6 +4,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Vector.hpp>
+
 #include <cmath>
 
 namespace hawser::test {
@@ -41,8 +42,8 @@ void ReactionTransport::make_system() {
   const GlobalIndex first = nodes * comm->getRank() / comm->getSize();
   const GlobalIndex last = nodes * (comm->getRank() + 1) / comm->getSize();
   const auto owned = static_cast<std::size_t>(2 * (last - first));
-  system_.rows = Teuchos::rcp(
-      new TpetraMap(static_cast<Tpetra::global_size_t>(2 * nodes), owned, 0, comm));
+  system_.rows =
+      Teuchos::rcp(new TpetraMap(static_cast<Tpetra::global_size_t>(2 * nodes), owned, 0, comm));
   const auto graph = Teuchos::rcp(new Tpetra::CrsGraph<>(system_.rows, 10));
   for (GlobalIndex node = first; node < last; ++node) {
     GlobalIndex near[5];
@@ -53,7 +54,8 @@ void ReactionTransport::make_system() {
       columns.push_back(2 * other);
       columns.push_back(2 * other + 1);
     }
-    for (const int field : {0, 1}) graph->insertGlobalIndices(2 * node + field, columns);
+    for (const int field : {0, 1})
+      graph->insertGlobalIndices(2 * node + field, columns);
   }
   graph->fillComplete();
   system_.columns = graph->getColMap();
@@ -108,7 +110,8 @@ ReactionTransport::Terms ReactionTransport::terms(std::size_t node,
   for (const int field : {0, 1}) {
     auto& sum = result.values[field];
     sum[0] = 4 * value(field, 0) / (h * h);
-    for (int k = 1; k < 5; ++k) sum[k] = -value(field, k) / (h * h);
+    for (int k = 1; k < 5; ++k)
+      sum[k] = -value(field, k) / (h * h);
     if (field == 0) {
       sum[5] = -lambda_ * std::exp(value(0, 0));
       sum[6] = value(1, 0);
@@ -117,7 +120,8 @@ ReactionTransport::Terms ReactionTransport::terms(std::size_t node,
       sum[5] = carried * value(1, 0) / h;  // upwind
       sum[6] = -carried * value(1, 1) / h;
     }
-    for (double& term : sum) term *= units[field];
+    for (double& term : sum)
+      term *= units[field];
   }
   return result;
 }
@@ -130,7 +134,8 @@ void ReactionTransport::residual(const TpetraVector& x, TpetraVector& f, TpetraV
     const auto there = terms(node, solved);
     for (const int field : {0, 1}) {
       double sum = 0, size = 0, source = 0;
-      for (const double term : there.values[field]) source += term;
+      for (const double term : there.values[field])
+        source += term;
       for (const double term : here.values[field]) {
         sum += term;
         size += std::abs(term);
@@ -158,7 +163,8 @@ void ReactionTransport::jacobian(const TpetraVector& x) {
     };
     for (const int field : {0, 1}) {
       add(field, columns[field][0], 4 / (h * h));
-      for (int k = 1; k < 5; ++k) add(field, columns[field][k], -1 / (h * h));
+      for (int k = 1; k < 5; ++k)
+        add(field, columns[field][k], -1 / (h * h));
     }
     const double u = values(columns[0][0], 0);
     const double west = columns[1][1] < 0 ? 0.0 : values(columns[1][1], 0);

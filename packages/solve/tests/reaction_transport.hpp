@@ -22,7 +22,8 @@ class ReactionTransport : public NonlinearProblem {
 
  private:
   struct Stencil {
-    LocalIndex columns[2][5];  ///< local columns of u and v: here, west, east, south, north; -1: edge
+    LocalIndex columns[2]
+                      [5];  ///< local columns of u and v: here, west, east, south, north; -1: edge
   };
   struct Terms {
     double values[2][8];  ///< contributions that sum to the residual of u and v

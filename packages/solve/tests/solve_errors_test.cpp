@@ -82,6 +82,17 @@ TEST(SolveErrors, SingularJacobian) {
   expect_contains(error_of(problem, 0), "is zero, so the matrix is singular");
 }
 
+// In a uniform flow all contributions are round-off, and so is what remains: their ratio says
+// nothing.
+TEST(SolveErrors, ResidualBelowRoundOffOfTheJacobianIsConverged) {
+  PointwiseProblem problem([](double) { return 1e-13; }, [](double) { return 1e3; });
+  problem.least_magnitude = 0;
+  EXPECT_EQ(error_of(problem, 1), "");
+  NonlinearOptions options;
+  options.round_off = 0;
+  expect_contains(error_of(problem, 1, options), "no convergence in 20 iterations");
+}
+
 TEST(SolveErrors, NoConvergenceNamesTheWorstBlockAndRow) {
   PointwiseProblem problem([](double x) { return x * x + 1; }, [](double x) { return 2 * x; });
   NonlinearOptions options;

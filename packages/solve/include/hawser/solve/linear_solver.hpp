@@ -1,6 +1,7 @@
 #pragma once
-// Solves the block system's linear equations: GMRES, preconditioned by a factor that may be kept for
-// later matrices. Rows carry different physical units (N, m^2/s, m); scaling them is done in here.
+// Solves the block system's linear equations: GMRES, preconditioned by a factor that may be kept
+// for later matrices. Rows carry different physical units (N, m^2/s, m); scaling them is done in
+// here.
 #include <memory>
 
 #include "hawser/assembly/block_system.hpp"
@@ -48,16 +49,16 @@ class LinearSolver {
   /// To be called after the matrix got new values.
   void matrix_changed();
 
-  /// The next solve makes a new factor, whatever the refresh rule says. To be called where a run may
-  /// be restarted from, so that the restarted run repeats this one.
+  /// The next solve makes a new factor, whatever the refresh rule says.
   void drop_factor();
 
-  /// x = matrix^-1 rhs, from a zero initial guess. Collective. SolveError on all ranks when the matrix
-  /// is singular, a value is not finite, or GMRES fails with a fresh factor too.
+  /// x = matrix^-1 rhs, from a zero initial guess. Collective. SolveError on all ranks when the
+  /// matrix is singular, a value is not finite, or GMRES fails with a fresh factor too.
   LinearReport solve(const TpetraVector& rhs, TpetraVector& x, double tolerance);
   LinearReport solve(const TpetraVector& rhs, TpetraVector& x);  ///< to options().tolerance
 
-  /// 2-norm of the row-scaled residual: the norm in which solve() reduces it. After a first solve.
+  /// The residual, rows scaled, and its 2-norm, which is what solve() reduces. After a first solve.
+  void scale(const TpetraVector& residual, TpetraVector& scaled) const;
   double scaled_norm(const TpetraVector& residual);
 
   const LinearOptions& options() const;

@@ -19,8 +19,8 @@ struct NonlinearOptions {
   /// rest or uniform, all contributions are round-off themselves, and their ratio says nothing.
   double round_off = 1e-14;
 
-  /// Halve the step, at most max_cuts times, while the residual is not admissible or has grown by more
-  /// than allowed_growth. Without line search the full step is taken or the solve fails.
+  /// Halve the step, at most max_cuts times, while the residual is not admissible or has grown by
+  /// more than allowed_growth. Without line search the full step is taken or the solve fails.
   bool line_search = true;
   int max_cuts = 8;
   double allowed_growth = 10;  ///< Newton may climb a little before it falls; it must not explode
@@ -30,6 +30,18 @@ struct NonlinearOptions {
   /// choice); else LinearOptions::tolerance throughout.
   bool forcing = false;
   double forcing_max = 1e-2;
+
+  /// First iterate on the residual alone, with the Jacobian and factor of an earlier solve,
+  /// Anderson-accelerated; a new Jacobian is made, and Newton takes over from the best iterate,
+  /// when that takes more than lagged_iterations or the residual grows lagged_growth-fold. When it
+  /// took more than lagged_refresh, the next solve starts with a new Jacobian. Best with
+  /// keep_factor.
+  bool lagged = false;
+  int lagged_iterations = 12;
+  int lagged_refresh = 8;
+  double lagged_growth = 4;
+  int anderson_depth = 8;
+  double lagged_tolerance = 1e-2;  ///< of the linear solves meanwhile
 };
 
 /// How far one block of rows is from balance.
@@ -55,7 +67,8 @@ struct IterationReport {
 
 struct NonlinearReport {
   bool converged = false;
-  int iterations = 0;         ///< Newton updates
+  int iterations = 0;         ///< updates, lagged ones included
+  int jacobians = 0;          ///< evaluated
   int linear_iterations = 0;  ///< in all
   int factorizations = 0;
   std::vector<std::vector<BlockNorm>> history;  ///< per iteration, the start included
@@ -76,6 +89,10 @@ class NonlinearDriver {
 
   /// Names a row in error messages, for example by its node's position; called on the owner only.
   void describe_row(std::function<std::string(GlobalIndex)> describe);
+
+  /// Starts the next solve with a new Jacobian and factor. To be called where a run may be
+  /// restarted from (a checkpoint), so that the restarted run repeats this one.
+  void forget();
 
   LinearSolver& linear_solver();
 
