@@ -252,6 +252,24 @@ void Assembler::tangent_product(const State& state, const std::vector<double>& d
   throw_together(dofs.mesh(), state, failure);
 }
 
+std::vector<Assembler::CellValues> Assembler::cell_quantities(const Region& region, const State& state) const {
+  std::vector<CellValues> result;
+  for (const KernelCells& cells : implementation_->kernels) {
+    if (cells.region != &region) continue;
+    const auto quantities = cells.kernel->quantities();
+    if (quantities.empty()) continue;
+    const std::size_t first = result.size();
+    for (const auto& quantity : quantities) result.push_back({quantity.name, quantity.unit, {}});
+    CellGatherer gatherer(cells, dofs().mesh(), state);
+    std::vector<double> values(quantities.size());
+    for (LocalIndex cell = 0; cell < region.size(); ++cell) {
+      cells.kernel->evaluate(gatherer.gather(cell), values.data());
+      for (std::size_t k = 0; k < values.size(); ++k) result[first + k].values.push_back(values[k]);
+    }
+  }
+  return result;
+}
+
 double* Assembler::row_values(LocalIndex row) {
   return implementation_->matrix_values + implementation_->sparsity.row_begin[static_cast<std::size_t>(row)];
 }

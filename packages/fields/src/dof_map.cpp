@@ -140,7 +140,16 @@ void DofMap::append_cell_rows(int field, const Region& region, LocalIndex cell,
 
 std::vector<LocalIndex> DofMap::region_rows(int field, const Region& region) const {
   std::vector<LocalIndex> result;
-  for (LocalIndex cell = 0; cell < region.size(); ++cell) append_cell_rows(field, region, cell, result);
+  if (fields_[static_cast<std::size_t>(field)].split && region.split_vertices.empty()) {
+    // A line or point has no sides: all that the field has at its vertices.
+    std::vector<char> touched(static_cast<std::size_t>(mesh_->vertices.size()), 0);
+    for (const LocalIndex vertex : region.vertices) touched[static_cast<std::size_t>(vertex)] = 1;
+    for (LocalIndex split = 0; split < mesh_->split_vertices.size(); ++split)
+      if (touched[static_cast<std::size_t>(mesh_->vertex_of_split[static_cast<std::size_t>(split)])] != 0)
+        result.push_back(first_row(field, PointKind::split_vertex, split));
+  } else {
+    for (LocalIndex cell = 0; cell < region.size(); ++cell) append_cell_rows(field, region, cell, result);
+  }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   result.erase(std::remove(result.begin(), result.end(), absent), result.end());

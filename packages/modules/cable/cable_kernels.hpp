@@ -48,21 +48,8 @@ class CableKernel : public ElementKernel<CableKernel> {
   template <class Element, class T>
   void element_residual(const Element& at, T* out) const {
     constexpr int D = dimension;
-    double length_squared = 0;
-    for (int i = 0; i < D; ++i) {
-      const double span = at.coordinate(1, i) - at.coordinate(0, i);
-      length_squared += span * span;
-    }
-    const double length = std::sqrt(length_squared);
-    Vector<T, D> stretch;  // x' = dx/dS
-    // E from the displacement alone: 1 is never subtracted from |x'|^2, which would cost digits.
-    T strain = 0.0;
-    for (int i = 0; i < D; ++i) {
-      const double direction = (at.coordinate(1, i) - at.coordinate(0, i)) / length;
-      const T slope = (at.value(displacement, 1, i) - at.value(displacement, 0, i)) / length;
-      stretch[i] = direction + slope;
-      strain += slope * (direction + 0.5 * slope);
-    }
+    const auto [length, strain, stretch] = deform<T>([&](int a, int i) { return at.coordinate(a, i); },
+                                                     [&](int a, int i) { return at.value(displacement, a, i); });
     const T tension = slack_tension(strain, cable_);
     for (int i = 0; i < D; ++i) {
       const T force = tension * stretch[i];
@@ -76,9 +63,40 @@ class CableKernel : public ElementKernel<CableKernel> {
     }
   }
 
+  std::vector<Quantity> quantities() const override { return {{"tension", "N/m"}}; }
+  /// The true tension, stretch times second Piola tension.
+  void evaluate(const CellInput& cell, double* values) const override {
+    const auto [length, strain, stretch] =
+        deform<double>([&](int a, int i) { return cell.coordinates[a * dimension + i]; },
+                       [&](int a, int i) { return cell.fields[displacement].value[a * dimension + i]; });
+    values[0] = std::sqrt(1 + 2 * strain) * slack_tension(strain, cable_);
+  }
+
   std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }
 
  private:
+  template <class T>
+  struct Deformation {
+    double length;         ///< reference length, m
+    T strain;              ///< Green-Lagrange
+    Vector<T, 2> stretch;  ///< x' = dx/dS
+  };
+
+  template <class T, class Reference, class Displacement>
+  static Deformation<T> deform(Reference&& X, Displacement&& d) {
+    double squared = 0;
+    for (int i = 0; i < dimension; ++i) squared += (X(1, i) - X(0, i)) * (X(1, i) - X(0, i));
+    Deformation<T> result{std::sqrt(squared), T(0.0), {}};
+    // E from the displacement alone: 1 is never subtracted from |x'|^2, which would cost digits.
+    for (int i = 0; i < dimension; ++i) {
+      const double direction = (X(1, i) - X(0, i)) / result.length;
+      const T slope = (d(1, i) - d(0, i)) / result.length;
+      result.stretch[i] = direction + slope;
+      result.strain += slope * (direction + 0.5 * slope);
+    }
+    return result;
+  }
+
   CableProperties cable_;
 };
 

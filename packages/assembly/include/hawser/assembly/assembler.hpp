@@ -44,6 +44,14 @@ class Assembler {
   void tangent_product(const State& state, const std::vector<double>& direction,
                        std::vector<double>& product) const;
 
+  /// What the kernels on a region report for output, per local cell of that region.
+  struct CellValues {
+    std::string name;
+    std::string unit;
+    std::vector<double> values;
+  };
+  std::vector<CellValues> cell_quantities(const Region& region, const State& state) const;
+
   // Rows of the matrix, for conditions: local columns ascending.
   double* row_values(LocalIndex row);
   const LocalIndex* row_columns(LocalIndex row) const;

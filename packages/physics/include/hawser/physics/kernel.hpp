@@ -58,6 +58,14 @@ class Kernel {
   virtual CellStatus tangent(const CellInput& cell, unsigned columns, double* residual,
                              double* tangent) const = 0;
 
+  /// What else the cell can tell for output, such as a tension; evaluate() gives one value for each.
+  struct Quantity {
+    std::string name;
+    std::string unit;
+  };
+  virtual std::vector<Quantity> quantities() const { return {}; }
+  virtual void evaluate(const CellInput& /*cell*/, double* /*values*/) const {}
+
   /// An admissible state for derivative checks: det F > 0, away from kinks. Amplitudes per field.
   virtual std::vector<double> sample_amplitudes() const;
 

@@ -1,0 +1,132 @@
+#pragma once
+// Everything a deck can say outside of the modules, with one declaration per parameter.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hawser/deck/spec.hpp"
+#include "hawser/mesh/generate.hpp"
+#include "hawser/solve/nonlinear_driver.hpp"
+#include "hawser/time/step_control.hpp"
+#include "hawser/time/time_integrator.hpp"
+
+namespace hawser {
+
+struct TowBoxDeck {
+  std::vector<double> min, max, tow_point = {0, 0}, tail;
+  double cable_size = 10, far_size = 500, growth = 0.15, end_size = 0;
+  std::string flow_direction = "-y";
+  static Spec<TowBoxDeck> spec();
+  TowBox box() const;
+};
+
+struct WaterBoxDeck {
+  std::vector<double> min, max;
+  double size = 0;
+  std::vector<double> cells = {0, 0};
+  std::string flow_direction = "-y";
+  static Spec<WaterBoxDeck> spec();
+  WaterBox box() const;
+};
+
+struct MeshFileDeck {
+  std::string name;
+  static Spec<MeshFileDeck> spec();
+};
+
+struct MeshDeck {
+  std::vector<std::string> slits;
+  std::optional<TowBoxDeck> tow_box;
+  std::optional<WaterBoxDeck> water_box;
+  std::optional<MeshFileDeck> file;
+  static Spec<MeshDeck> spec();
+};
+
+struct PluginDeck {
+  Located<std::string> name;
+  static Spec<PluginDeck> spec();
+};
+
+struct ModulesDeck {
+  std::vector<DeckNode> modules;
+  static Spec<ModulesDeck> spec();
+};
+
+/// A value on a region: at the start, or prescribed within a window of time.
+struct ConditionDeck {
+  Located<std::string> field;
+  Located<std::vector<std::string>> on;
+  Located<std::string> component{"all", {}};
+  Located<Expressions> value;
+  std::optional<double> from, until;  ///< s
+  static Spec<ConditionDeck> initial_spec();
+  static Spec<ConditionDeck> prescribe_spec();
+};
+
+struct ConditionsDeck {
+  std::vector<ConditionDeck> initial, prescribe;
+  static Spec<ConditionsDeck> spec();
+};
+
+struct TimeDeck : TimeScheme, StepOptions {
+  static Spec<TimeDeck> spec();
+};
+
+struct SolverDeck {
+  LinearOptions linear;
+  NonlinearOptions newton;
+  static Spec<SolverDeck> spec();
+};
+
+/// The towed cable's report: positioning errors and the tow force.
+struct TowDeck {
+  Located<std::string> cable, tow_point;
+  double angle = 0;       ///< degrees, of the tow axis from upstream
+  double speed = 0;       ///< m/s
+  double current = 0;     ///< m/s, along -y
+  static Spec<TowDeck> spec();
+};
+
+struct ForceDeck {
+  std::string name;
+  Located<std::string> on;
+  Located<std::string> module{"all", {}};
+  std::vector<double> axis = {1, 0};
+  static Spec<ForceDeck> spec();
+};
+
+struct ProbeDeck {
+  std::string name;
+  Located<std::string> on, field;
+  static Spec<ProbeDeck> spec();
+};
+
+struct OutputDeck {
+  int fields_every = 0, history_every = 1, checkpoint_every = 0;  ///< steps; 0: never, but fields at the end
+  std::vector<ProbeDeck> probes;
+  static Spec<OutputDeck> spec();
+};
+
+struct ExpectDeck {
+  Located<std::string> quantity;
+  double value = 0, within = 0;
+  std::string why;
+  static Spec<ExpectDeck> spec();
+};
+
+struct RunDeck {
+  std::string title;
+  MeshDeck mesh;
+  std::vector<PluginDeck> plugins;
+  ModulesDeck modules;
+  ConditionsDeck conditions;
+  TimeDeck time;
+  SolverDeck solver;
+  OutputDeck output;
+  std::optional<TowDeck> tow;
+  std::vector<ForceDeck> forces;
+  std::vector<ExpectDeck> expectations;
+  static Spec<RunDeck> spec();
+};
+
+}  // namespace hawser

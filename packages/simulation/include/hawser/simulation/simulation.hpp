@@ -1,0 +1,44 @@
+#pragma once
+// The composition root: everything is built from the deck here, and nothing else sees the whole.
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "hawser/base/communicator.hpp"
+#include "hawser/output/summary.hpp"
+#include "hawser/physics/module_registry.hpp"
+
+namespace hawser {
+
+struct RunOptions {
+  std::string output;                ///< result folder
+  std::string plugin_folder;
+  bool force = false;                ///< write over the results of a finished run
+  bool quiet = false;                ///< no progress lines
+  std::optional<double> end;         ///< s, instead of the deck's end
+};
+
+class Simulation {
+ public:
+  /// Reads and checks the deck; nothing is written yet. Collective; DeckError or PluginError on all ranks.
+  Simulation(const Communicator& communicator, ModuleRegistry registry, const std::string& deck_file,
+             const RunOptions& options);
+  /// Continues from a checkpoint with the deck that is kept in it.
+  static Simulation restart(const Communicator& communicator, ModuleRegistry registry,
+                            const std::string& checkpoint, const RunOptions& options);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+
+  /// Makes or reads the mesh, builds the system, steps to the end. Returns what summary.json says.
+  /// Collective; any Error on all ranks.
+  Summary run();
+
+  std::string resolved_deck() const;  ///< XML with every default
+
+ private:
+  struct Implementation;
+  explicit Simulation(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace hawser

@@ -1,0 +1,141 @@
+#include "src/conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/regions.hpp"
+
+namespace hawser {
+namespace {
+
+std::vector<std::string> field_names(const DofMap& dofs) {
+  std::vector<std::string> names;
+  for (const auto& field : dofs.fields()) names.push_back(field.name);
+  return names;
+}
+
+}  // namespace
+
+Conditions::Conditions(const Assembler& assembler, const ConditionsDeck& deck, Diagnostics& diagnostics)
+    : assembler_(assembler), dofs_(assembler.dofs()) {
+  velocity_of_.assign(static_cast<std::size_t>(dofs_.rows()), -1);
+  for (const auto& pair : assembler.kinematic_pairs())
+    velocity_of_[static_cast<std::size_t>(pair.displacement)] = pair.velocity;
+  for (const ConditionDeck& condition : deck.initial) initial_.push_back(resolve(condition, diagnostics));
+  for (const ConditionDeck& condition : deck.prescribe) {
+    prescribed_.push_back(resolve(condition, diagnostics));
+    for (const Expression& value : condition.value.value)
+      follow_the_mesh_ = follow_the_mesh_ || value.depends_on_moved_position();
+  }
+}
+
+Conditions::Entry Conditions::resolve(const ConditionDeck& deck, Diagnostics& diagnostics) const {
+  Entry entry;
+  entry.value = deck.value;
+  entry.from = deck.from.value_or(entry.from);
+  entry.until = deck.until.value_or(entry.until);
+  const int field = dofs_.find(deck.field.value);
+  if (field < 0) {
+    diagnostics.error(deck.field.location,
+                      "no module solves for a field '" + deck.field.value + "'; there are " +
+                          listed(field_names(dofs_)) + did_you_mean(deck.field.value, field_names(dofs_)));
+    return entry;
+  }
+  const int components = dofs_.fields()[static_cast<std::size_t>(field)].components;
+  const bool all = deck.component.value == "all";
+  entry.first_component = all ? 0 : deck.component.value[0] - 'x';
+  if (!all && entry.first_component >= components)
+    diagnostics.error(deck.component.location, "field '" + deck.field.value + "' has no component " +
+                                                   deck.component.value + " here; it has " +
+                                                   std::to_string(components));
+  const std::size_t wanted = all ? static_cast<std::size_t>(components) : 1;
+  if (entry.value.size() != wanted)
+    diagnostics.error(deck.value.location, "value has " + std::to_string(entry.value.size()) +
+                                               " component(s) and needs " + std::to_string(wanted) +
+                                               "; formulas are separated by ';'");
+  for (const std::string& name : deck.on.value) {
+    const Region* const region = find_region(dofs_.mesh(), name, deck.on.location, diagnostics);
+    if (region == nullptr) continue;
+    const auto rows = dofs_.region_rows(field, *region);
+    entry.first_rows.insert(entry.first_rows.end(), rows.begin(), rows.end());
+  }
+  return entry;
+}
+
+LocalIndex Conditions::displacement_at(LocalIndex row) const {
+  const int displacement = dofs_.find("displacement");
+  if (displacement < 0) return -1;
+  const RowInfo& info = dofs_.info(row);
+  if (info.kind != PointKind::split_vertex) return dofs_.first_row(displacement, info.kind, info.point);
+  const LocalIndex vertex = dofs_.mesh().vertex_of_split[static_cast<std::size_t>(info.point)];
+  return dofs_.first_row(displacement, PointKind::vertex, vertex);
+}
+
+SpaceTime Conditions::point(LocalIndex row, const State& state) const {
+  double X[3] = {0, 0, 0};
+  dofs_.position(row, X);
+  double x[3] = {X[0], X[1], X[2]};
+  const LocalIndex moved = displacement_at(row);
+  for (int j = 0; moved >= 0 && j < dofs_.mesh().dimension; ++j)
+    x[j] += state.value[static_cast<std::size_t>(moved + j)];
+  return {x[0], x[1], x[2], X[0], X[1], X[2], state.time};
+}
+
+void Conditions::set_initial(State& state) const {
+  const Mesh& mesh = dofs_.mesh();
+  mesh.communicator.together([&] {
+    for (const Entry& entry : initial_)
+      for (const LocalIndex first : entry.first_rows) {
+        const SpaceTime at = point(first, state);
+        const LocalIndex moved = displacement_at(first);
+        for (std::size_t c = 0; c < entry.value.size(); ++c) {
+          const auto row = static_cast<std::size_t>(first + entry.first_component) + c;
+          state.value[row] = entry.value[c](at);
+          state.rate[row] = entry.value[c].depends_on_time() ? entry.value[c].time_derivative(at) : 0;
+          if (moved < 0 || !entry.value[c].depends_on_moved_position()) continue;
+          const auto slope = entry.value[c].gradient(at);  // the node is carried along
+          for (int j = 0; j < mesh.dimension; ++j)
+            state.rate[row] += slope[static_cast<std::size_t>(j)] * state.rate[static_cast<std::size_t>(moved + j)];
+        }
+      }
+  });
+}
+
+std::vector<PrescribedRow> Conditions::prescribed(const State& state) const {
+  std::vector<PrescribedRow> result;
+  const double slack = 1e-9 * std::min(state.step, 1.0);
+  dofs_.mesh().communicator.together([&] {
+    for (const Entry& entry : prescribed_) {
+      if (state.time <= entry.from + slack || state.time > entry.until + slack) continue;
+      for (const LocalIndex first : entry.first_rows) {
+        if (first >= dofs_.owned()) continue;
+        const SpaceTime at = point(first, state);
+        for (std::size_t c = 0; c < entry.value.size(); ++c) {
+          const LocalIndex row = first + entry.first_component + static_cast<LocalIndex>(c);
+          const Expression& value = entry.value[c];
+          PrescribedRow prescribed{row, value(at)};
+          if (value.depends_on_moved_position()) {
+            const auto slope = value.gradient(at);
+            prescribed.displacement = displacement_at(first);
+            std::copy(slope.begin(), slope.end(), prescribed.slope);
+          }
+          result.push_back(prescribed);
+          const LocalIndex velocity = velocity_of_[static_cast<std::size_t>(row)];
+          if (velocity >= 0)
+            result.push_back({velocity, value.depends_on_time() ? value.time_derivative(at) : 0});
+        }
+      }
+    }
+  });
+  return result;
+}
+
+std::vector<double> Conditions::events() const {
+  std::vector<double> events;
+  for (const Entry& entry : prescribed_)
+    for (const double time : {entry.from, entry.until})
+      if (std::abs(time) < std::numeric_limits<double>::infinity()) events.push_back(time);
+  return events;
+}
+
+}  // namespace hawser

@@ -1,0 +1,49 @@
+#pragma once
+// Initial and prescribed values, resolved to rows.
+#include <limits>
+#include <vector>
+
+#include "hawser/assembly/constraints.hpp"
+#include "hawser/simulation/deck_parameters.hpp"
+
+namespace hawser {
+
+class Conditions {
+ public:
+  /// Faults (unknown field, region, component) go to `diagnostics`; the same on all ranks.
+  Conditions(const Assembler& assembler, const ConditionsDeck& deck, Diagnostics& diagnostics);
+
+  /// Values at the start and, where a value depends on time, its rate.
+  void set_initial(State& state) const;
+
+  /// The prescribed rows for a step that ends at state.time. A structure's prescribed displacement
+  /// prescribes its velocity too: the displacement's derivative in time. Collective (SolveError).
+  std::vector<PrescribedRow> prescribed(const State& state) const;
+
+  /// True when some value depends on the moved position: prescribed() then changes within a step.
+  bool follow_the_mesh() const { return follow_the_mesh_; }
+
+  /// Edges of the windows of time, s.
+  std::vector<double> events() const;
+
+ private:
+  struct Entry {
+    std::vector<LocalIndex> first_rows;  // local, owned and ghost
+    int first_component = 0;
+    Expressions value;
+    double from = -std::numeric_limits<double>::infinity();
+    double until = std::numeric_limits<double>::infinity();
+  };
+  Entry resolve(const ConditionDeck& deck, Diagnostics& diagnostics) const;
+  SpaceTime point(LocalIndex row, const State& state) const;
+  /// First displacement row at the node of `row`; -1 where nothing moves.
+  LocalIndex displacement_at(LocalIndex row) const;
+
+  const Assembler& assembler_;
+  const DofMap& dofs_;
+  std::vector<LocalIndex> velocity_of_;  // per local row: a structure displacement's velocity row, or -1
+  std::vector<Entry> initial_, prescribed_;
+  bool follow_the_mesh_ = false;
+};
+
+}  // namespace hawser

@@ -1,0 +1,60 @@
+#include "src/coupled_problem.hpp"
+
+#include <algorithm>
+
+#include <Tpetra_Vector.hpp>
+
+namespace hawser {
+
+CoupledProblem::CoupledProblem(Assembler& assembler, TimeIntegrator& integrator, const Conditions& conditions)
+    : assembler_(assembler), integrator_(integrator), conditions_(conditions), constraints_(assembler) {
+  const auto rows = static_cast<std::size_t>(assembler.dofs().rows());
+  for (auto* array : {&state_.value, &state_.rate, &state_.accepted, &state_.rate_slope, &state_.rate_partner})
+    array->assign(rows, 0);
+}
+
+void CoupledProblem::begin_step(double step) {
+  integrator_.begin_step(step, state_);
+  constraints_.prescribe(conditions_.prescribed(state_));
+  for (const PrescribedRow& row : constraints_.prescribed())
+    state_.value[static_cast<std::size_t>(row.row)] = row.value;
+  assembler_.spread(state_.value);
+  integrator_.update_rates(state_);
+}
+
+void CoupledProblem::copy_guess(TpetraVector& x) const {
+  const auto view = x.getDataNonConst();
+  std::copy(state_.value.begin(), state_.value.begin() + view.size(), view.begin());
+}
+
+void CoupledProblem::set_state(const TpetraVector& x) {
+  assembler_.spread(x, state_.value);
+  integrator_.update_rates(state_);
+  if (conditions_.follow_the_mesh()) constraints_.prescribe(conditions_.prescribed(state_));
+}
+
+void CoupledProblem::finish_step(const TpetraVector& x) {
+  set_state(x);
+  assembler_.residual(state_, total_, magnitude_);
+}
+
+void CoupledProblem::residual(const TpetraVector& x, TpetraVector& f, TpetraVector& magnitude) {
+  const auto lap = residual_watch_.lap();
+  set_state(x);
+  assembler_.residual(state_, total_, magnitude_);
+  residual_ = total_;
+  constraints_.apply(state_, integrator_.kinematics(), residual_, magnitude_);
+  const auto f_view = f.getDataNonConst();
+  const auto magnitude_view = magnitude.getDataNonConst();
+  std::copy(residual_.begin(), residual_.end(), f_view.begin());
+  std::copy(magnitude_.begin(), magnitude_.end(), magnitude_view.begin());
+}
+
+void CoupledProblem::jacobian(const TpetraVector& x) {
+  const auto lap = tangent_watch_.lap();
+  set_state(x);
+  assembler_.tangent(state_);
+  constraints_.apply(integrator_.kinematics());
+}
+
+}  // namespace hawser

@@ -1,0 +1,46 @@
+#pragma once
+// All modules, conditions and the time scheme as one nonlinear problem per step.
+#include <vector>
+
+#include "hawser/assembly/nonlinear_problem.hpp"
+#include "hawser/base/stopwatch.hpp"
+#include "hawser/time/time_integrator.hpp"
+#include "src/conditions.hpp"
+
+namespace hawser {
+
+class CoupledProblem : public NonlinearProblem {
+ public:
+  CoupledProblem(Assembler& assembler, TimeIntegrator& integrator, const Conditions& conditions);
+
+  /// Predicts the state at the end of a step and puts the prescribed values in.
+  void begin_step(double step);
+  void copy_guess(TpetraVector& x) const;
+  /// Makes x the state and evaluates the balances there, so that reactions() belongs to it.
+  void finish_step(const TpetraVector& x);
+
+  BlockSystem& system() override { return assembler_.system(); }
+  void residual(const TpetraVector& x, TpetraVector& f, TpetraVector& magnitude) override;
+  void jacobian(const TpetraVector& x) override;
+
+  State& state() { return state_; }
+  const State& state() const { return state_; }
+  /// Per owned row, what supports must supply: the assembled balance before any condition.
+  const std::vector<double>& reactions() const { return total_; }
+
+  double residual_seconds() const { return residual_watch_.seconds(); }
+  double tangent_seconds() const { return tangent_watch_.seconds(); }
+
+ private:
+  void set_state(const TpetraVector& x);
+
+  Assembler& assembler_;
+  TimeIntegrator& integrator_;
+  const Conditions& conditions_;
+  Constraints constraints_;
+  State state_;
+  std::vector<double> total_, residual_, magnitude_;
+  Stopwatch residual_watch_, tangent_watch_;
+};
+
+}  // namespace hawser

@@ -1,0 +1,229 @@
+#include "hawser/simulation/deck_parameters.hpp"
+
+#include <algorithm>
+
+namespace hawser {
+namespace {
+
+void copy(const std::vector<double>& from, double* to) { std::copy(from.begin(), from.end(), to); }
+
+Rules flow_directions() { return one_of({"-y", "+y", "-x", "+x"}); }
+
+Spec<LinearOptions> linear_spec() {
+  using P = LinearOptions;
+  return Spec<P>("linear", "Solver of the linear equations in each Newton iteration.")
+      .choice("method", &P::method, {{"gmres", P::Method::gmres}, {"mumps", P::Method::mumps}},
+              "GMRES preconditioned by overlapping Schwarz with an incomplete factor, or by MUMPS' complete one.")
+      .attribute("tolerance", &P::tolerance, "1", between(1e-14, 0.5),
+                 "Of the row-scaled residual, relative to the right-hand side.")
+      .attribute("restart", &P::restart, at_least(1), "GMRES vectors kept before a restart.")
+      .attribute("max-iterations", &P::max_iterations, at_least(1), "GMRES iterations before it counts as failed.")
+      .attribute("fill-level", &P::fill_level, between(0, 10), "Fill level of the incomplete factor.")
+      .attribute("overlap", &P::overlap, between(0, 10), "Schwarz overlap between ranks, in layers.")
+      .attribute("keep-factor", &P::keep_factor,
+                 "Keep a factor for later matrices until it costs too many iterations.")
+      .attribute("refresh-ratio", &P::refresh_ratio, "1", at_least(1),
+                 "A kept factor is renewed beyond this multiple of its first iteration count ...")
+      .attribute("refresh-slack", &P::refresh_slack, at_least(0), "... plus this many.");
+}
+
+Spec<NonlinearOptions> newton_spec() {
+  using P = NonlinearOptions;
+  return Spec<P>("newton", "Newton's method.")
+      .attribute("tolerance", &P::tolerance, "1", between(1e-15, 1e-1),
+                 "Largest residual of a block relative to the contributions that cancel in it.")
+      .attribute("max-iterations", &P::max_iterations, at_least(1), "Iterations before a step is rejected.")
+      .attribute("line-search", &P::line_search, "Halve an update that is not admissible or explodes.")
+      .attribute("forcing", &P::forcing, "Looser linear solves far from the solution (Eisenstat-Walker).")
+      .attribute("forcing-max", &P::forcing_max, "1", between(1e-12, 0.9), "Loosest linear tolerance with forcing.");
+}
+
+Spec<ConditionDeck> condition_spec(const std::string& tag, const std::string& meaning) {
+  using P = ConditionDeck;
+  return Spec<P>(tag, meaning)
+      .attribute("field", &P::field, required(), "Field by name, such as velocity.")
+      .attribute("on", &P::on, required(), "Regions, by name.")
+      .attribute("component", &P::component, one_of({"all", "x", "y", "z"}), "Which component the value is for.")
+      .attribute("value", &P::value, "SI", required(),
+                 "A number or expression per component, of x y z (moved), X Y Z (reference), t.");
+}
+
+}  // namespace
+
+Spec<TowBoxDeck> TowBoxDeck::spec() {
+  using P = TowBoxDeck;
+  return Spec<P>("tow-box", "A box of water with a straight cable in it.")
+      .attribute("min", &P::min, "m", required() && length(2), "Lower left corner.")
+      .attribute("max", &P::max, "m", required() && length(2), "Upper right corner.")
+      .attribute("tow-point", &P::tow_point, "m", length(2), "Where the cable starts.")
+      .attribute("tail", &P::tail, "m", required() && length(2), "Where the cable ends.")
+      .attribute("cable-size", &P::cable_size, "m", positive(), "Segment length on the cable.")
+      .attribute("far-size", &P::far_size, "m", positive(), "Largest cell size.")
+      .attribute("growth", &P::growth, "1", positive(), "Growth of the cell size per distance from the cable.")
+      .attribute("end-size", &P::end_size, "m", non_negative(),
+                 "Segment length at the cable's ends; 0 for the same as on the cable.")
+      .attribute("flow-direction", &P::flow_direction, flow_directions(), "Which boundary is the outflow.");
+}
+
+TowBox TowBoxDeck::box() const {
+  TowBox box;
+  box.x_min = min[0], box.y_min = min[1], box.x_max = max[0], box.y_max = max[1];
+  copy(tow_point, box.tow_point);
+  copy(tail, box.tail);
+  box.cable_size = cable_size, box.far_size = far_size, box.growth = growth, box.end_size = end_size;
+  box.flow_direction = flow_direction;
+  return box;
+}
+
+Spec<WaterBoxDeck> WaterBoxDeck::spec() {
+  using P = WaterBoxDeck;
+  return Spec<P>("water-box", "A box of water alone.")
+      .attribute("min", &P::min, "m", required() && length(2), "Lower left corner.")
+      .attribute("max", &P::max, "m", required() && length(2), "Upper right corner.")
+      .attribute("size", &P::size, "m", non_negative(), "Cell size of an unstructured mesh.")
+      .attribute("cells", &P::cells, "1", length(2) && non_negative(),
+                 "Cells in x and y of a structured mesh; 0 0 for an unstructured one.")
+      .attribute("flow-direction", &P::flow_direction, flow_directions(), "Which boundary is the outflow.")
+      .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
+        if ((p.size > 0) == (p.cells[0] > 0 && p.cells[1] > 0))
+          diagnostics.error(where, "<water-box> needs either size or cells, and not both");
+      });
+}
+
+WaterBox WaterBoxDeck::box() const {
+  WaterBox box;
+  box.x_min = min[0], box.y_min = min[1], box.x_max = max[0], box.y_max = max[1];
+  box.size = size;
+  box.cells[0] = static_cast<int>(cells[0]), box.cells[1] = static_cast<int>(cells[1]);
+  box.flow_direction = flow_direction;
+  return box;
+}
+
+Spec<MeshFileDeck> MeshFileDeck::spec() {
+  return Spec<MeshFileDeck>("file", "A mesh file made by gmsh.")
+      .attribute("name", &MeshFileDeck::name, required(),
+                 "MSH 2.2 or 4.1, ASCII; a relative path starts at the deck's folder.");
+}
+
+Spec<MeshDeck> MeshDeck::spec() {
+  using P = MeshDeck;
+  return Spec<P>("mesh", "Where the mesh comes from: exactly one of the children.")
+      .attribute("slits", &P::slits, "Line regions across which the pressure is doubled.")
+      .child(&P::tow_box)
+      .child(&P::water_box)
+      .child(&P::file)
+      .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
+        if (int(p.tow_box.has_value()) + int(p.water_box.has_value()) + int(p.file.has_value()) != 1)
+          diagnostics.error(where, "<mesh> needs exactly one of <tow-box>, <water-box> and <file>");
+      });
+}
+
+Spec<PluginDeck> PluginDeck::spec() {
+  return Spec<PluginDeck>("plugin", "A shared library with further physics modules.")
+      .attribute("name", &PluginDeck::name, required(), "Its name, without folder and ending.");
+}
+
+Spec<ModulesDeck> ModulesDeck::spec() {
+  return Spec<ModulesDeck>("modules", "The physics.").any_children(&ModulesDeck::modules, "physics modules");
+}
+
+Spec<ConditionDeck> ConditionDeck::initial_spec() {
+  return condition_spec("initial", "A field's values at the start; later ones replace earlier ones.");
+}
+Spec<ConditionDeck> ConditionDeck::prescribe_spec() {
+  using P = ConditionDeck;
+  return condition_spec("prescribe", "A field's values on a region, at all times or within a window.")
+      .attribute("from", &P::from, "s", "Holds for steps that end after this time.")
+      .attribute("until", &P::until, "s", "Holds for steps that end at this time or before.");
+}
+
+Spec<ConditionsDeck> ConditionsDeck::spec() {
+  using P = ConditionsDeck;
+  return Spec<P>("conditions", "Initial and prescribed values.")
+      .children(&P::initial, ConditionDeck::initial_spec())
+      .children(&P::prescribe, ConditionDeck::prescribe_spec());
+}
+
+Spec<TimeDeck> TimeDeck::spec() {
+  using P = TimeDeck;
+  return Spec<P>("time", "Time stepping.")
+      .choice("scheme", &P::steady, {{"newmark", false}, {"steady", true}},
+              "Newmark's method, or one solve without rates.")
+      .attribute("beta", &P::beta, "1", between(0.25, 1), "Newmark's beta.")
+      .attribute("gamma", &P::gamma, "1", between(0.5, 1), "Newmark's gamma; 0.5 is second order, more damps.")
+      .attribute("step", &P::step, "s", positive(), "Length of a step.")
+      .attribute("least-step", &P::least, "s", non_negative(),
+                 "A rejected step is halved down to this length; 0 for a thousandth of the step.")
+      .attribute("end", &P::end, "s", positive(), "Time at which the run ends.")
+      .attribute("grow-after", &P::grow_after, at_least(1),
+                 "Accepted steps in a row after which a cut step is doubled again.");
+}
+
+Spec<SolverDeck> SolverDeck::spec() {
+  return Spec<SolverDeck>("solver", "How the equations are solved.")
+      .child(&SolverDeck::linear, linear_spec())
+      .child(&SolverDeck::newton, newton_spec());
+}
+
+Spec<TowDeck> TowDeck::spec() {
+  using P = TowDeck;
+  return Spec<P>("tow", "Reports the positioning errors of a towed cable and the force at its tow point.")
+      .attribute("cable", &P::cable, required(), "Line region of the cable.")
+      .attribute("tow-point", &P::tow_point, required(), "Point region where it is towed.")
+      .attribute("angle", &P::angle, "degrees", between(-180, 180), "Of the tow axis from upstream (+y) toward +x.")
+      .attribute("speed", &P::speed, "m/s", non_negative(), "Of the tow, for the exact straight-cable values.")
+      .attribute("current", &P::current, "m/s", non_negative(), "Of the water along -y, likewise.");
+}
+
+Spec<ForceDeck> ForceDeck::spec() {
+  using P = ForceDeck;
+  return Spec<P>("force", "Reports the force on a region: of one module, or the support's reaction.")
+      .attribute("name", &P::name, required(), "Start of the quantities' names.")
+      .attribute("on", &P::on, required(), "Region whose velocity rows are summed.")
+      .attribute("module", &P::module, "Module whose load on the region is reported; all for the reaction.")
+      .attribute("axis", &P::axis, "1", length(2), "Direction of the component called along; across is 90 degrees left.");
+}
+
+Spec<ProbeDeck> ProbeDeck::spec() {
+  using P = ProbeDeck;
+  return Spec<P>("probe", "Writes a field at one point over time.")
+      .attribute("name", &P::name, required(), "Column name and start of the quantities' names.")
+      .attribute("on", &P::on, required(), "Point region.")
+      .attribute("field", &P::field, required(), "Field by name.");
+}
+
+Spec<OutputDeck> OutputDeck::spec() {
+  using P = OutputDeck;
+  return Spec<P>("output", "What is written, and how often.")
+      .attribute("fields-every", &P::fields_every, at_least(0), "Steps between outputs of the fields; 0 for the end only.")
+      .attribute("history-every", &P::history_every, at_least(1), "Steps between rows of the histories.")
+      .attribute("checkpoint-every", &P::checkpoint_every, at_least(0), "Steps between checkpoints; 0 for none.")
+      .children(&P::probes);
+}
+
+Spec<ExpectDeck> ExpectDeck::spec() {
+  using P = ExpectDeck;
+  return Spec<P>("expect", "A reported quantity that must come out; otherwise the exit code is 8.")
+      .attribute("quantity", &P::quantity, required(), "Name in summary.json.")
+      .attribute("value", &P::value, "as the quantity", required(), "What is expected.")
+      .attribute("within", &P::within, "as the quantity", required() && non_negative(), "Allowed difference.")
+      .attribute("why", &P::why, required(), "Where the value comes from.");
+}
+
+Spec<RunDeck> RunDeck::spec() {
+  using P = RunDeck;
+  return Spec<P>("hawser", "One simulation.")
+      .attribute("title", &P::title, "What this run is.")
+      .child(&P::mesh, required())
+      .children(&P::plugins)
+      .child(&P::modules, required())
+      .child(&P::conditions)
+      .child(&P::time, required())
+      .child(&P::solver)
+      .child(&P::output)
+      .child(&P::tow)
+      .children(&P::forces)
+      .children(&P::expectations);
+}
+
+}  // namespace hawser

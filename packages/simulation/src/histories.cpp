@@ -1,0 +1,60 @@
+#include "src/histories.hpp"
+
+namespace hawser {
+
+std::string probe_column(const Probe& probe, int component) {
+  std::string name = probe.name + "_" + probe.field;
+  if (probe.components > 1) name += std::string("_") + static_cast<char>('x' + component);
+  return name;
+}
+
+Histories::Histories(const Communicator& communicator, const std::string& folder, const TowReport* tow,
+                     const std::vector<ForceReport>& forces, const std::vector<Probe>& probes,
+                     std::optional<double> keep_until)
+    : tow_(tow) {
+  std::vector<Column> columns = {{"t", "s"},           {"step", "s"},     {"newton_iterations", ""},
+                                 {"linear_iterations", ""}, {"mesh_quality_min", ""}, {"courant_max", ""}};
+  if (tow != nullptr)
+    for (const Column& column : {Column{"end_error", "m"}, {"total_error", "m"}, {"total_error_arc", "m"},
+                                 {"tow_force", "N/m"}, {"tow_force_along", "N/m"}, {"tow_force_across", "N/m"},
+                                 {"cable_angle", "deg"}, {"cable_length", "m"}})
+      columns.push_back(column);
+  for (const ForceReport& force : forces)
+    for (const char* part : {"_force", "_force_along", "_force_across"}) columns.push_back({force.name() + part, "N/m"});
+  for (const Probe& probe : probes)
+    for (int c = 0; c < probe.components; ++c) columns.push_back({probe_column(probe, c), probe.unit});
+  system_ = std::make_unique<History>(communicator, folder + "/history.csv", columns, keep_until);
+  if (tow != nullptr)
+    cable_ = std::make_unique<History>(
+        communicator, folder + "/cable.csv",
+        std::vector<Column>{{"t", "s"}, {"arc_length", "m"}, {"x", "m"}, {"y", "m"}, {"positioning_error", "m"}},
+        keep_until);
+}
+
+void Histories::append(const StepFigures& figures) {
+  std::vector<double> row = {figures.time,
+                             figures.length,
+                             static_cast<double>(figures.newton_iterations),
+                             static_cast<double>(figures.linear_iterations),
+                             figures.mesh_quality,
+                             figures.courant};
+  if (tow_ != nullptr)
+    for (const double value : {figures.tow.end_error, figures.tow.total_error, figures.tow.total_error_arc,
+                               figures.tow.force, figures.tow.force_along, figures.tow.force_across,
+                               figures.tow.cable_angle, figures.tow.length})
+      row.push_back(value);
+  for (const Force& force : figures.forces)
+    for (const double value : {force.magnitude, force.along, force.across}) row.push_back(value);
+  row.insert(row.end(), figures.probes.begin(), figures.probes.end());
+  system_->append(row);
+}
+
+void Histories::append_cable(const State& state) {
+  if (tow_ == nullptr) return;
+  const std::vector<double> x = tow_->line().positions(state);
+  const std::vector<double> errors = tow_->positioning_errors(x);
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    cable_->append({state.time, tow_->line().arc_length()[i], x[2 * i], x[2 * i + 1], errors[i]});
+}
+
+}  // namespace hawser

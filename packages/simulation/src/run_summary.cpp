@@ -1,0 +1,106 @@
+#include "src/run_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser {
+
+void RunSummary::add(const StepFigures& figures) {
+  ++steps_;
+  newton_ += figures.newton_iterations;
+  linear_ += figures.linear_iterations;
+  least_quality_ = std::min(least_quality_, figures.mesh_quality);
+  courant_ = std::max(courant_, figures.courant);
+  last_ = figures;
+  end_errors_.emplace_back(figures.time, figures.tow.end_error);
+}
+
+void RunSummary::save(std::map<std::string, double>& numbers) const {
+  numbers["steps"] = static_cast<double>(steps_);
+  numbers["rejected"] = static_cast<double>(rejected_);
+  numbers["newton"] = static_cast<double>(newton_);
+  numbers["linear"] = static_cast<double>(linear_);
+  numbers["least_quality"] = least_quality_;
+  numbers["courant"] = courant_;
+}
+
+void RunSummary::resume(const std::map<std::string, double>& numbers) {
+  steps_ = static_cast<long long>(numbers.at("steps"));
+  rejected_ = static_cast<long long>(numbers.at("rejected"));
+  newton_ = static_cast<long long>(numbers.at("newton"));
+  linear_ = static_cast<long long>(numbers.at("linear"));
+  least_quality_ = numbers.at("least_quality");
+  courant_ = numbers.at("courant");
+}
+
+Summary RunSummary::summary(const System& system, const RunDeck& deck) const {
+  Summary result;
+  result.set("title", deck.title);
+  result.set("end_time_s", last_.time);
+  if (system.tow) {
+    const TowMeasures& tow = last_.tow;
+    const double exact = system.tow->exact_end_error(tow.length);
+    double least = tow.end_error, greatest = tow.end_error;
+    for (const auto& [time, error] : end_errors_)
+      if (time >= 0.75 * last_.time) {
+        least = std::min(least, error);
+        greatest = std::max(greatest, error);
+      }
+    result.set("end_error_m", tow.end_error);
+    result.set("end_error_exact_m", exact);
+    result.set("total_error_m", tow.total_error);
+    result.set("total_error_exact_m", exact / 2);
+    result.set("total_error_arc_m", tow.total_error_arc);
+    result.set("end_error_change_last_quarter_m", greatest - least);
+    result.set("tow_force_n_per_m", tow.force);
+    result.set("tow_force_along_n_per_m", tow.force_along);
+    result.set("tow_force_across_n_per_m", tow.force_across);
+    result.set("cable_angle_deg", tow.cable_angle);
+    result.set("cable_length_m", tow.length);
+  }
+  for (std::size_t i = 0; i < system.forces.size(); ++i) {
+    const std::string& name = system.forces[i].name();
+    result.set(name + "_force_n_per_m", last_.forces[i].magnitude);
+    result.set(name + "_force_along_n_per_m", last_.forces[i].along);
+    result.set(name + "_force_across_n_per_m", last_.forces[i].across);
+  }
+  std::size_t value = 0;
+  for (const Probe& probe : system.probes)
+    for (int c = 0; c < probe.components; ++c)
+      result.set(quantity_name({probe_column(probe, c), probe.unit}), last_.probes[value++]);
+  result.set("mesh_quality_min", least_quality_);
+  result.set("courant_max", courant_);
+  result.set("steps", steps_);
+  result.set("steps_rejected", rejected_);
+  result.set("newton_iterations", newton_);
+  result.set("newton_iterations_mean", steps_ > 0 ? static_cast<double>(newton_) / static_cast<double>(steps_) : 0);
+  result.set("linear_iterations", linear_);
+  result.set("linear_iterations_mean",
+             newton_ > 0 ? static_cast<double>(linear_) / static_cast<double>(newton_) : 0);
+  result.set("unknowns", system.dofs->global_count());
+  result.set("nodes", system.mesh.vertices.global_count);
+  return result;
+}
+
+void check_expectations(const RunDeck& deck, Summary& summary) {
+  if (deck.expectations.empty()) return;
+  long long failed = 0;
+  for (const ExpectDeck& expect : deck.expectations) {
+    const std::optional<double> got = summary.number(expect.quantity.value);
+    const bool holds = got && std::abs(*got - expect.value) <= expect.within;
+    if (!holds) ++failed;
+    Summary& entry = summary.object("expectations").object(expect.quantity.value);
+    entry.set("holds", holds);
+    entry.set("expected", expect.value);
+    entry.set("within", expect.within);
+    if (got)
+      entry.set("got", *got);
+    else
+      entry.set("got", "never evaluated: the run reports no such quantity");
+    entry.set("why", expect.why);
+    entry.set("where", expect.quantity.location.text());
+  }
+  summary.set("expectations_failed", failed);
+}
+
+}  // namespace hawser

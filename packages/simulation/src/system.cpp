@@ -1,0 +1,110 @@
+#include "src/system.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "src/regions.hpp"
+
+namespace hawser {
+namespace {
+
+std::string base_name(const std::string& region) { return region.substr(0, region.find('/')); }
+
+void check_regions(const Mesh& mesh, const std::vector<PhysicsModule>& modules, Diagnostics& diagnostics) {
+  for (const PhysicsModule& module : modules)
+    for (const auto& kernel : module.kernels) {
+      if (mesh.find(kernel->region()) != nullptr) continue;
+      const std::string base = base_name(kernel->region());
+      if (find_region(mesh, base, module.location, diagnostics) != nullptr)
+        diagnostics.error(module.location,
+                          kernel->region().find("/facets") != std::string::npos
+                              ? "region '" + base + "' is no line on the boundary of the body"
+                              : "region '" + base + "' is no line inside the body or of at least two segments");
+    }
+}
+
+Probe make_probe(const DofMap& dofs, const ProbeDeck& deck, Diagnostics& diagnostics) {
+  Probe probe{deck.name, deck.field.value, "", 1, -1};
+  const Region* const region = find_region(dofs.mesh(), deck.on, diagnostics);
+  const int field = dofs.find(deck.field.value);
+  if (field < 0) {
+    std::vector<std::string> names;
+    for (const auto& there : dofs.fields()) names.push_back(there.name);
+    diagnostics.error(deck.field.location, "no module solves for a field '" + deck.field.value + "'; there are " +
+                                               listed(names) + did_you_mean(deck.field.value, names));
+    return probe;
+  }
+  probe.unit = dofs.fields()[static_cast<std::size_t>(field)].unit;
+  probe.components = dofs.fields()[static_cast<std::size_t>(field)].components;
+  if (region == nullptr) return probe;
+  const std::vector<LocalIndex> rows = dofs.region_rows(field, *region);
+  if (!rows.empty() && rows.front() < dofs.owned()) probe.first_row = rows.front();
+  return probe;
+}
+
+/// A steady solve has no relation from which an unprescribed structure's displacement could follow.
+void check_steady(const System& system, const RunDeck& deck) {
+  if (!deck.time.steady) return;
+  system.problem->begin_step(deck.time.end);
+  std::vector<char> prescribed(static_cast<std::size_t>(system.dofs->owned()), 0);
+  for (const PrescribedRow& row : system.conditions->prescribed(system.problem->state()))
+    prescribed[static_cast<std::size_t>(row.row)] = 1;
+  bool free = false;
+  for (const auto& pair : system.assembler->kinematic_pairs())
+    if (pair.displacement < system.dofs->owned())
+      free = free || prescribed[static_cast<std::size_t>(pair.displacement)] == 0;
+  if (system.mesh.communicator.any(free))
+    throw DeckError(
+        "a steady solve needs the displacement of every structure prescribed; use scheme=\"newmark\" and "
+        "let the structure settle");
+}
+
+}  // namespace
+
+std::unique_ptr<System> build_system(const Communicator& communicator, const RunDeck& deck,
+                                     std::vector<PhysicsModule> modules, const std::string& mesh_file) {
+  auto system = std::make_unique<System>(System{read_mesh(communicator, {mesh_file, deck.mesh.slits}),
+                                                std::move(modules), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}});
+  Diagnostics diagnostics;
+  check_regions(system->mesh, system->modules, diagnostics);
+  diagnostics.throw_if_any();
+
+  system->table = gather_fields(system->modules);
+  system->dofs = std::make_unique<DofMap>(system->mesh, system->table.fields);
+  system->assembler = std::make_unique<Assembler>(*system->dofs, system->modules);
+  system->conditions = std::make_unique<Conditions>(*system->assembler, deck.conditions, diagnostics);
+  if (deck.tow) system->tow = std::make_unique<TowReport>(*system->dofs, *deck.tow, diagnostics);
+  for (const ForceDeck& force : deck.forces)
+    system->forces.emplace_back(*system->assembler, system->modules, force, diagnostics);
+  for (const ProbeDeck& probe : deck.output.probes)
+    system->probes.push_back(make_probe(*system->dofs, probe, diagnostics));
+  diagnostics.throw_if_any();
+
+  system->integrator = std::make_unique<TimeIntegrator>(*system->assembler, system->table.rate_rules, deck.time);
+  system->problem =
+      std::make_unique<CoupledProblem>(*system->assembler, *system->integrator, *system->conditions);
+  system->conditions->set_initial(system->problem->state());
+  system->integrator->start(system->problem->state());
+  check_steady(*system, deck);
+  system->driver = std::make_unique<NonlinearDriver>(*system->problem, deck.solver.linear, deck.solver.newton);
+  system->driver->describe_row([dofs = system->dofs.get()](GlobalIndex row) { return describe_row(*dofs, row); });
+  return system;
+}
+
+std::string describe_row(const DofMap& dofs, GlobalIndex global_row) {
+  const auto begin = dofs.global_rows().begin();
+  const auto found = std::find(begin, begin + dofs.owned(), global_row);
+  if (found == begin + dofs.owned()) return "row " + std::to_string(global_row);
+  const auto row = static_cast<LocalIndex>(found - begin);
+  const RowInfo& info = dofs.info(row);
+  const FieldDescription& field = dofs.fields()[static_cast<std::size_t>(info.field)];
+  double position[3] = {0, 0, 0};
+  dofs.position(row, position);
+  std::ostringstream text;
+  text << field.name;
+  if (field.components > 1) text << ' ' << static_cast<char>('x' + info.component);
+  text << " at the node that started at (" << position[0] << ", " << position[1] << ") m";
+  return text.str();
+}
+
+}  // namespace hawser

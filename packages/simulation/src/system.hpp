@@ -1,0 +1,38 @@
+#pragma once
+// Mesh, fields, equations and solver of one run, built in the order in which they depend on each other.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hawser/assembly/field_table.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/solve/nonlinear_driver.hpp"
+#include "src/coupled_problem.hpp"
+#include "src/histories.hpp"
+
+namespace hawser {
+
+struct System {
+  Mesh mesh;
+  std::vector<PhysicsModule> modules;
+  FieldTable table;
+  std::unique_ptr<DofMap> dofs;
+  std::unique_ptr<Assembler> assembler;
+  std::unique_ptr<Conditions> conditions;
+  std::unique_ptr<TimeIntegrator> integrator;
+  std::unique_ptr<CoupledProblem> problem;
+  std::unique_ptr<NonlinearDriver> driver;
+  std::unique_ptr<TowReport> tow;  ///< null when the deck asks for none
+  std::vector<ForceReport> forces;
+  std::vector<Probe> probes;
+};
+
+/// Collective. MeshError, or DeckError with every name that the mesh or the modules do not know.
+std::unique_ptr<System> build_system(const Communicator& communicator, const RunDeck& deck,
+                                     std::vector<PhysicsModule> modules, const std::string& mesh_file);
+
+/// "velocity y at (x, y) m" for error messages.
+std::string describe_row(const DofMap& dofs, GlobalIndex global_row);
+
+}  // namespace hawser

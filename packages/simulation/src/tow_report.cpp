@@ -1,0 +1,68 @@
+#include "src/tow_report.hpp"
+
+#include <cmath>
+
+#include "src/regions.hpp"
+
+namespace hawser {
+namespace {
+constexpr double degree = 3.14159265358979323846 / 180;
+}
+
+TowReport::TowReport(const DofMap& dofs, const TowDeck& deck, Diagnostics& diagnostics)
+    : dofs_(dofs), deck_(deck), axis_{std::sin(deck.angle * degree), std::cos(deck.angle * degree)} {
+  const Region* const cable = find_region(dofs.mesh(), deck.cable, diagnostics);
+  const Region* const tow_point = find_region(dofs.mesh(), deck.tow_point, diagnostics);
+  if (cable != nullptr && tow_point != nullptr)
+    line_ = std::make_unique<LineGeometry>(dofs, *cable, *tow_point);
+}
+
+std::vector<double> TowReport::positioning_errors(const std::vector<double>& positions) const {
+  std::vector<double> errors;
+  for (std::size_t i = 0; i + 1 < positions.size(); i += 2) {
+    const double x = positions[i] - positions[0];
+    const double y = positions[i + 1] - positions[1];
+    errors.push_back(std::abs(x * axis_[1] - y * axis_[0]));
+  }
+  return errors;
+}
+
+TowMeasures TowReport::measure(const State& state, const std::vector<double>& reactions) const {
+  TowMeasures result;
+  const std::vector<double> x = line_->positions(state);
+  const std::vector<double> errors = positioning_errors(x);
+  result.end_error = errors.back();
+  double integral = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    result.total_error += errors[i] / static_cast<double>(errors.size());
+    if (i == 0) continue;
+    const double segment = std::hypot(x[2 * i] - x[2 * i - 2], x[2 * i + 1] - x[2 * i - 1]);
+    result.length += segment;
+    integral += 0.5 * segment * (errors[i] + errors[i - 1]);
+  }
+  result.total_error_arc = integral / result.length;
+  const std::size_t tail = x.size() - 2;
+  result.cable_angle = std::atan2(x[0] - x[tail], x[1] - x[tail + 1]) / degree;
+
+  double force[2] = {0, 0};
+  const int velocity = dofs_.find("velocity");
+  for (const auto& node : line_->owned())
+    if (node.place == 0)
+      for (int j = 0; j < 2; ++j)
+        force[j] = reactions[static_cast<std::size_t>(dofs_.first_row(velocity, PointKind::vertex, node.vertex) + j)];
+  MPI_Allreduce(MPI_IN_PLACE, force, 2, MPI_DOUBLE, MPI_SUM, dofs_.mesh().communicator.mpi());
+  result.force = std::hypot(force[0], force[1]);
+  result.force_along = force[0] * axis_[0] + force[1] * axis_[1];
+  result.force_across = -force[0] * axis_[1] + force[1] * axis_[0];
+  return result;
+}
+
+double TowReport::exact_end_error(double length) const {
+  // Relative to the water the cable moves with V along the axis and U against the current.
+  const double angle = deck_.angle * degree;
+  const double relative =
+      std::atan2(deck_.speed * std::sin(angle), deck_.current + deck_.speed * std::cos(angle));
+  return length * std::abs(std::sin(angle - relative));
+}
+
+}  // namespace hawser
