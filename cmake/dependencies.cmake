@@ -3,10 +3,14 @@
 #   hdf5::parallel (C API)        pugixml::pugixml    fmt::fmt          spdlog::spdlog
 #   CLI11::CLI11                  muparser::muparser  nlohmann_json::nlohmann_json
 #   gmsh::gmsh (GPL: only the mesher, a separate program, may link it)
-# Installed as part of the CMake package too, so that plug-ins find the same libraries.
+# Part of the CMake package too: who uses Hawser needs what its headers show, MPI and Trilinos.
 
-find_package(MPI REQUIRED COMPONENTS C CXX)
+find_package(MPI REQUIRED COMPONENTS CXX)
 find_package(Trilinos REQUIRED)
+if(HAWSER_IMPORTED)
+  return()
+endif()
+find_package(MPI REQUIRED COMPONENTS C)
 find_package(pugixml REQUIRED)
 find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
@@ -26,6 +30,7 @@ target_include_directories(hawser_trilinos SYSTEM INTERFACE
   ${Trilinos_INCLUDE_DIRS} ${Trilinos_TPL_INCLUDE_DIRS})
 target_link_libraries(hawser_trilinos INTERFACE ${Trilinos_LIBRARIES} MPI::MPI_CXX)
 target_compile_definitions(hawser_trilinos INTERFACE OMPI_SKIP_MPICXX=1)
+install(TARGETS hawser_trilinos EXPORT HawserTargets)
 
 # Debian ships no CMake package for these.
 function(hawser_find_library target header library)
