@@ -1,11 +1,10 @@
 // The program: one verb per thing a user does.
+#include <CLI/CLI.hpp>
+#include <Tpetra_Core.hpp>
 #include <mpi.h>
 
 #include <cstdio>
 #include <filesystem>
-
-#include <CLI/CLI.hpp>
-#include <Tpetra_Core.hpp>
 
 #include "ale_fluid.hpp"
 #include "cable.hpp"
@@ -26,15 +25,17 @@ ModuleRegistry built_in_modules() {
   return registry;
 }
 
-/// Plug-ins lie beside the libraries: build/lib/hawser/plugins, or lib/hawser/plugins when installed.
+/// Plug-ins lie beside the libraries: build/lib/hawser/plugins, or lib/hawser/plugins when
+/// installed.
 std::string default_plugin_folder() {
   const auto program = std::filesystem::read_symlink("/proc/self/exe");
   return (program.parent_path().parent_path() / "lib/hawser/plugins").string();
 }
 
 int exit_code(const Summary& summary) {
-  return static_cast<int>(summary.number("expectations_failed").value_or(0) > 0 ? ExitCode::expectation
-                                                                                 : ExitCode::done);
+  return static_cast<int>(summary.number("expectations_failed").value_or(0) > 0
+                              ? ExitCode::expectation
+                              : ExitCode::done);
 }
 
 struct Arguments {
@@ -47,9 +48,11 @@ struct Arguments {
 int perform(const std::string& verb, const Arguments& arguments, const Communicator& world) {
   RunOptions options = arguments.run;
   if (arguments.has_end) options.end = arguments.end;
-  if (verb == "run") return exit_code(Simulation(world, built_in_modules(), arguments.file, options).run());
+  if (verb == "run")
+    return exit_code(Simulation(world, built_in_modules(), arguments.file, options).run());
   if (verb == "restart") {
-    if (options.output.empty()) options.output = std::filesystem::path(arguments.file).parent_path().string();
+    if (options.output.empty())
+      options.output = std::filesystem::path(arguments.file).parent_path().string();
     return exit_code(Simulation::restart(world, built_in_modules(), arguments.file, options).run());
   }
   if (verb == "check") {
@@ -62,20 +65,23 @@ int perform(const std::string& verb, const Arguments& arguments, const Communica
       std::printf("%-14s %s\n", tag.c_str(), registry.find(tag)->spec.meaning.c_str());
   if (verb == "describe" && world.is_root()) {
     const ModuleRegistry::Entry* const module = registry.find(arguments.file);
-    std::fputs(describe(module != nullptr ? module->spec : RunDeck::spec().node_spec()).c_str(), stdout);
+    std::fputs(describe(module != nullptr ? module->spec : RunDeck::spec().node_spec()).c_str(),
+               stdout);
   }
   return 0;
 }
 
 /// Parses, performs, and turns errors into one sentence and an exit code.
 int guarded_main(int argc, char** argv, const Communicator& world) {
-  CLI::App app{"Hawser: towed cables in a current, and what else its parts can be put together to do."};
+  CLI::App app{
+      "Hawser: towed cables in a current, and what else its parts can be put together to do."};
   app.set_version_flag("--version", HAWSER_VERSION);
   app.require_subcommand(1);
   Arguments arguments;
   arguments.run.plugin_folder = default_plugin_folder();
   const auto common = [&](CLI::App* verb) {
-    verb->add_option("--plugin-dir", arguments.run.plugin_folder, "folder that plug-ins are loaded from");
+    verb->add_option("--plugin-dir", arguments.run.plugin_folder,
+                     "folder that plug-ins are loaded from");
     return verb;
   };
   const auto running = [&](CLI::App* verb, bool needs_output) {
@@ -86,10 +92,12 @@ int guarded_main(int argc, char** argv, const Communicator& world) {
     verb->add_option("--end", arguments.end, "end time in s, instead of the deck's")
         ->each([&](const std::string&) { arguments.has_end = true; });
   };
-  auto* run = common(app.add_subcommand("run", "run a deck: hawser run inputs/deep_tow/case_02.xml -o results/a"));
+  auto* run = common(
+      app.add_subcommand("run", "run a deck: hawser run inputs/deep_tow/case_02.xml -o results/a"));
   run->add_option("deck", arguments.file, "XML deck")->required();
   running(run, true);
-  auto* restart = common(app.add_subcommand("restart", "go on from a checkpoint, on any number of ranks"));
+  auto* restart =
+      common(app.add_subcommand("restart", "go on from a checkpoint, on any number of ranks"));
   restart->add_option("checkpoint", arguments.file, "checkpoint.h5 of an earlier run")->required();
   running(restart, false);
   common(app.add_subcommand("check", "read a deck and report every fault in it"))

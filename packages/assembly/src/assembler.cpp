@@ -1,13 +1,13 @@
 #include "hawser/assembly/assembler.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
 
 #include "hawser/base/error.hpp"
 #include "src/sparsity.hpp"
@@ -37,13 +37,14 @@ void throw_together(const Mesh& mesh, const State& state, const CellFailure& fai
     double centre[3] = {0, 0, 0};
     for (std::size_t v = 0; v < per_cell; ++v)
       for (int j = 0; j < mesh.dimension; ++j) {
-        const LocalIndex vertex = region.vertices[static_cast<std::size_t>(failure.cell) * per_cell + v];
+        const LocalIndex vertex =
+            region.vertices[static_cast<std::size_t>(failure.cell) * per_cell + v];
         centre[j] += mesh.coordinates[static_cast<std::size_t>(vertex * mesh.dimension + j)] /
                      region.vertices_per_cell;
       }
     std::ostringstream text;
-    text << "cell " << region.cell_ids[static_cast<std::size_t>(failure.cell)] << " of region '" << region.name
-         << "', which started near (" << centre[0] << ", " << centre[1] << ") m, "
+    text << "cell " << region.cell_ids[static_cast<std::size_t>(failure.cell)] << " of region '"
+         << region.name << "', which started near (" << centre[0] << ", " << centre[1] << ") m, "
          << (failure.status == CellStatus::inverted ? "turned inside out (det F <= 0)"
                                                     : "gives a residual that is not a number")
          << " at t = " << state.time << " s";
@@ -71,9 +72,11 @@ struct Assembler::Implementation {
     make_maps();
     find_pairs(governance);
     std::vector<std::pair<LocalIndex, LocalIndex>> extra;
-    for (const KinematicPair& pair : pairs) extra.emplace_back(pair.displacement, pair.velocity);
+    for (const KinematicPair& pair : pairs)
+      extra.emplace_back(pair.displacement, pair.velocity);
     sparsity = find_sparsity(map.owned(), kernels, extra);
-    for (KernelCells& cells : kernels) find_positions(sparsity, cells);
+    for (KernelCells& cells : kernels)
+      find_positions(sparsity, cells);
     make_matrix();
     name_blocks(governance, modules);
   }
@@ -83,7 +86,8 @@ struct Assembler::Implementation {
     const auto comm = Teuchos::rcp(new Teuchos::MpiComm<int>(dofs->mesh().communicator.mpi()));
     const auto& global = dofs->global_rows();
     const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-    const Teuchos::ArrayView<const GlobalIndex> all(global.data(), static_cast<Teuchos::Ordinal>(global.size()));
+    const Teuchos::ArrayView<const GlobalIndex> all(global.data(),
+                                                    static_cast<Teuchos::Ordinal>(global.size()));
     system.rows = Teuchos::rcp(new Map(unknown, all.view(0, dofs->owned()), 0, comm));
     system.columns = Teuchos::rcp(new Map(unknown, all, 0, comm));
     ghosts = Teuchos::rcp(new Tpetra::Import<>(system.rows, system.columns));
@@ -100,7 +104,8 @@ struct Assembler::Implementation {
       if (driven[static_cast<std::size_t>(row)] == 0) continue;
       const RowInfo& info = dofs->info(row);
       const LocalIndex first = velocity < 0 ? -1 : dofs->first_row(velocity, info.kind, info.point);
-      if (first < 0) throw std::logic_error("a structure's displacement needs a velocity at the same nodes");
+      if (first < 0)
+        throw std::logic_error("a structure's displacement needs a velocity at the same nodes");
       pairs.push_back({row, first + info.component});
     }
   }
@@ -113,7 +118,8 @@ struct Assembler::Implementation {
     typename Local::values_type values("values", sparsity.columns.size());
     std::copy(sparsity.row_begin.begin(), sparsity.row_begin.end(), row_begin.data());
     std::copy(sparsity.columns.begin(), sparsity.columns.end(), columns.data());
-    system.matrix = Teuchos::rcp(new Matrix(system.rows, system.columns, row_begin, columns, values));
+    system.matrix =
+        Teuchos::rcp(new Matrix(system.rows, system.columns, row_begin, columns, values));
     system.matrix->expertStaticFillComplete(system.rows, system.rows, ghosts);
     const auto local = system.matrix->getLocalMatrixHost();
     matrix_values = local.values.data();
@@ -123,15 +129,19 @@ struct Assembler::Implementation {
   }
 
   void name_blocks(const Governance& governance, const std::vector<PhysicsModule>& modules) {
-    for (LocalIndex row = 0; row < dofs->owned(); ++row) block_of(governance, modules, row).rows.push_back(row);
+    for (LocalIndex row = 0; row < dofs->owned(); ++row)
+      block_of(governance, modules, row).rows.push_back(row);
   }
 
   // Every rank lists the same blocks in the same order, also those of which it has no row.
-  Block& block_of(const Governance& governance, const std::vector<PhysicsModule>& modules, LocalIndex row) {
+  Block& block_of(const Governance& governance, const std::vector<PhysicsModule>& modules,
+                  LocalIndex row) {
     if (system.blocks.empty())
       for (const PhysicsModule& module : modules)
         for (const FieldDescription& field : dofs->fields()) {
-          const auto same = [&](const Block& b) { return b.name == module.block && b.field == field.name; };
+          const auto same = [&](const Block& b) {
+            return b.name == module.block && b.field == field.name;
+          };
           if (std::none_of(system.blocks.begin(), system.blocks.end(), same))
             system.blocks.push_back({module.block, field.name, field.residual_unit, {}});
         }
@@ -145,7 +155,9 @@ struct Assembler::Implementation {
   void drop_empty_blocks() {
     auto& blocks = system.blocks;
     blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
-                                [&](const Block& block) { return !system.communicator.any(!block.rows.empty()); }),
+                                [&](const Block& block) {
+                                  return !system.communicator.any(!block.rows.empty());
+                                }),
                  blocks.end());
   }
 
@@ -173,10 +185,12 @@ Assembler::Assembler(Assembler&&) noexcept = default;
 
 const DofMap& Assembler::dofs() const { return *implementation_->dofs; }
 BlockSystem& Assembler::system() { return implementation_->system; }
-const std::vector<Assembler::KinematicPair>& Assembler::kinematic_pairs() const { return implementation_->pairs; }
+const std::vector<Assembler::KinematicPair>& Assembler::kinematic_pairs() const {
+  return implementation_->pairs;
+}
 
-void Assembler::residual(const State& state, std::vector<double>& total, std::vector<double>& magnitude,
-                         int module) const {
+void Assembler::residual(const State& state, std::vector<double>& total,
+                         std::vector<double>& magnitude, int module) const {
   const DofMap& dofs = *implementation_->dofs;
   total.assign(static_cast<std::size_t>(dofs.owned()), 0);
   magnitude.assign(static_cast<std::size_t>(dofs.owned()), 0);
@@ -216,7 +230,8 @@ void Assembler::tangent(const State& state, unsigned columns) {
     std::vector<double> local_tangent(n * n);
     for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
       failure.note(
-          cells.kernel->tangent(gatherer.gather(cell), active, local.data(), local_tangent.data()), cells, cell);
+          cells.kernel->tangent(gatherer.gather(cell), active, local.data(), local_tangent.data()),
+          cells, cell);
       const int* const positions = &cells.positions[static_cast<std::size_t>(cell) * n * n];
       for (std::size_t k = 0; k < n * n; ++k)
         if (positions[k] >= 0) values[positions[k]] += local_tangent[k];
@@ -236,7 +251,8 @@ void Assembler::tangent_product(const State& state, const std::vector<double>& d
     std::vector<double> local(n);
     std::vector<double> local_tangent(n * n);
     for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
-      failure.note(cells.kernel->tangent(gatherer.gather(cell), all_columns, local.data(), local_tangent.data()),
+      failure.note(cells.kernel->tangent(gatherer.gather(cell), all_columns, local.data(),
+                                         local_tangent.data()),
                    cells, cell);
       const std::size_t begin = static_cast<std::size_t>(cell) * n;
       for (std::size_t i = 0; i < n; ++i) {
@@ -244,7 +260,8 @@ void Assembler::tangent_product(const State& state, const std::vector<double>& d
         double sum = 0;
         for (std::size_t j = 0; j < n; ++j)
           if (cells.rows[begin + j] >= 0)
-            sum += local_tangent[i * n + j] * direction[static_cast<std::size_t>(cells.rows[begin + j])];
+            sum += local_tangent[i * n + j] *
+                   direction[static_cast<std::size_t>(cells.rows[begin + j])];
         product[static_cast<std::size_t>(cells.rows[begin + i])] += sum;
       }
     }
@@ -252,26 +269,30 @@ void Assembler::tangent_product(const State& state, const std::vector<double>& d
   throw_together(dofs.mesh(), state, failure);
 }
 
-std::vector<Assembler::CellValues> Assembler::cell_quantities(const Region& region, const State& state) const {
+std::vector<Assembler::CellValues> Assembler::cell_quantities(const Region& region,
+                                                              const State& state) const {
   std::vector<CellValues> result;
   for (const KernelCells& cells : implementation_->kernels) {
     if (cells.region != &region) continue;
     const auto quantities = cells.kernel->quantities();
     if (quantities.empty()) continue;
     const std::size_t first = result.size();
-    for (const auto& quantity : quantities) result.push_back({quantity.name, quantity.unit, {}});
+    for (const auto& quantity : quantities)
+      result.push_back({quantity.name, quantity.unit, {}});
     CellGatherer gatherer(cells, dofs().mesh(), state);
     std::vector<double> values(quantities.size());
     for (LocalIndex cell = 0; cell < region.size(); ++cell) {
       cells.kernel->evaluate(gatherer.gather(cell), values.data());
-      for (std::size_t k = 0; k < values.size(); ++k) result[first + k].values.push_back(values[k]);
+      for (std::size_t k = 0; k < values.size(); ++k)
+        result[first + k].values.push_back(values[k]);
     }
   }
   return result;
 }
 
 double* Assembler::row_values(LocalIndex row) {
-  return implementation_->matrix_values + implementation_->sparsity.row_begin[static_cast<std::size_t>(row)];
+  return implementation_->matrix_values +
+         implementation_->sparsity.row_begin[static_cast<std::size_t>(row)];
 }
 const LocalIndex* Assembler::row_columns(LocalIndex row) const {
   const Sparsity& sparsity = implementation_->sparsity;
@@ -279,7 +300,8 @@ const LocalIndex* Assembler::row_columns(LocalIndex row) const {
 }
 int Assembler::row_size(LocalIndex row) const {
   const auto& begin = implementation_->sparsity.row_begin;
-  return static_cast<int>(begin[static_cast<std::size_t>(row) + 1] - begin[static_cast<std::size_t>(row)]);
+  return static_cast<int>(begin[static_cast<std::size_t>(row) + 1] -
+                          begin[static_cast<std::size_t>(row)]);
 }
 
 void Assembler::spread(const TpetraVector& owned, std::vector<double>& local) const {

@@ -15,8 +15,8 @@ void Constraints::prescribe(std::vector<PrescribedRow> rows) {
     prescribed_[static_cast<std::size_t>(rows_[i].row)] = static_cast<int>(i);
 }
 
-void Constraints::apply(const State& state, const Kinematics& kinematics, std::vector<double>& residual,
-                        std::vector<double>& magnitude) const {
+void Constraints::apply(const State& state, const Kinematics& kinematics,
+                        std::vector<double>& residual, std::vector<double>& magnitude) const {
   const auto& pairs = assembler_.kinematic_pairs();
   const auto set = [&](LocalIndex row, double left, double right) {
     residual[static_cast<std::size_t>(row)] = left - right;
@@ -27,7 +27,8 @@ void Constraints::apply(const State& state, const Kinematics& kinematics, std::v
     if (pairs[i].displacement < assembler_.dofs().owned())
       set(pairs[i].displacement, value(pairs[i].displacement),
           kinematics.known[i] + kinematics.factor * value(pairs[i].velocity));
-  for (const PrescribedRow& row : rows_) set(row.row, value(row.row), row.value);
+  for (const PrescribedRow& row : rows_)
+    set(row.row, value(row.row), row.value);
 }
 
 void Constraints::apply(const Kinematics& kinematics) {
@@ -47,7 +48,8 @@ void Constraints::apply(const Kinematics& kinematics) {
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const PrescribedRow& row = rows_[i];
-    if (prescribed_[static_cast<std::size_t>(row.row)] != static_cast<int>(i)) continue;  // a later one rules
+    if (prescribed_[static_cast<std::size_t>(row.row)] != static_cast<int>(i))
+      continue;  // a later one rules
     replace(row.row, row.row, 1, true);
     for (int j = 0; row.displacement >= 0 && j < assembler_.dofs().mesh().dimension; ++j)
       replace(row.row, row.displacement + j, -row.slope[j], false);

@@ -22,16 +22,20 @@ FieldTable gather_fields(const std::vector<PhysicsModule>& modules) {
                                   [&](const Entry& e) { return e.description.name == use.name; });
         if (entry == entries.end()) {
           entries.push_back(
-              {{use.name, use.unit, use.residual_unit, use.components, use.basis, use.split, {}}, use.rate_rule, false});
+              {{use.name, use.unit, use.residual_unit, use.components, use.basis, use.split, {}},
+               use.rate_rule,
+               false});
           entry = entries.end() - 1;
         }
         FieldDescription& field = entry->description;
-        if (field.components != use.components || field.basis != use.basis || field.unit != use.unit ||
-            field.split != use.split || entry->rule != use.rate_rule)
-          throw PluginError("module <" + module.name + "> and an earlier one describe the field '" + use.name +
+        if (field.components != use.components || field.basis != use.basis ||
+            field.unit != use.unit || field.split != use.split || entry->rule != use.rate_rule)
+          throw PluginError("module <" + module.name + "> and an earlier one describe the field '" +
+                            use.name +
                             "' differently: unit, components, basis, split and rate must agree");
         entry->kinematic = entry->kinematic || use.role == Role::kinematic;
-        if (std::find(field.regions.begin(), field.regions.end(), kernel->region()) == field.regions.end())
+        if (std::find(field.regions.begin(), field.regions.end(), kernel->region()) ==
+            field.regions.end())
           field.regions.push_back(kernel->region());
       }
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {

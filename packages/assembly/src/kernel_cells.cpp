@@ -11,14 +11,17 @@ namespace {
 constexpr int quadrature_degree_p1 = 2;  // the mass matrix exactly
 constexpr int quadrature_degree_p2 = 5;
 
-void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& cells, Kernel& kernel) {
+void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& cells,
+                 Kernel& kernel) {
   std::vector<Tabulation> shapes;
   if (region.shape == CellShape::triangle) {
     bool quadratic = false;
-    for (const FieldUse& use : kernel.fields()) quadratic = quadratic || use.basis == Basis::p2;
+    for (const FieldUse& use : kernel.fields())
+      quadratic = quadratic || use.basis == Basis::p2;
     for (std::size_t f = 0; f < cells.fields.size(); ++f) {
       const int field = cells.fields[f];
-      const Basis basis = field < 0 ? kernel.fields()[f].basis : dofs.fields()[static_cast<std::size_t>(field)].basis;
+      const Basis basis = field < 0 ? kernel.fields()[f].basis
+                                    : dofs.fields()[static_cast<std::size_t>(field)].basis;
       shapes.push_back(
           tabulate(region.shape, basis, quadratic ? quadrature_degree_p2 : quadrature_degree_p1));
     }
@@ -40,8 +43,10 @@ KernelCells resolve(const DofMap& dofs, const Governance& governance, Kernel& ke
     cells.fields.push_back(field);
     cells.first.push_back(unknowns);
     const bool quadratic = use.basis == Basis::p2;
-    unknowns += use.components * (region.vertices_per_cell + (quadratic ? region.edges_per_cell : 0));
-    if (use.rate_rule == RateRule::quotient && (use.needs & need::rate) != 0 && kernel.rate_partner() < 0)
+    unknowns +=
+        use.components * (region.vertices_per_cell + (quadratic ? region.edges_per_cell : 0));
+    if (use.rate_rule == RateRule::quotient && (use.needs & need::rate) != 0 &&
+        kernel.rate_partner() < 0)
       throw std::logic_error("a kernel on '" + kernel.region() +
                              "' looks at the displacement's rate and must list the velocity too");
   }
@@ -56,7 +61,8 @@ KernelCells resolve(const DofMap& dofs, const Governance& governance, Kernel& ke
       if (cells.fields[f] >= 0)
         dofs.append_cell_rows(cells.fields[f], region, cell, first_rows);
       else
-        first_rows.assign(static_cast<std::size_t>((cells.first[f + 1] - cells.first[f]) / use.components), -1);
+        first_rows.assign(
+            static_cast<std::size_t>((cells.first[f + 1] - cells.first[f]) / use.components), -1);
       for (const LocalIndex first : first_rows)
         for (int c = 0; c < use.components; ++c) {
           const LocalIndex row = first < 0 ? -1 : first + c;
@@ -78,11 +84,13 @@ KernelCells resolve(const DofMap& dofs, const Governance& governance, Kernel& ke
 CellGatherer::CellGatherer(const KernelCells& cells, const Mesh& mesh, const State& state)
     : cells_(cells), mesh_(mesh), state_(state) {
   const auto n = static_cast<std::size_t>(cells.unknowns());
-  for (auto* array : {&value_, &rate_, &accepted_, &slope_, &partner_}) array->resize(n);
+  for (auto* array : {&value_, &rate_, &accepted_, &slope_, &partner_})
+    array->resize(n);
   coordinates_.resize(static_cast<std::size_t>(cells.region->vertices_per_cell * mesh.dimension));
   for (std::size_t f = 0; f + 1 < cells.first.size(); ++f) {
     const auto first = static_cast<std::size_t>(cells.first[f]);
-    fields_.push_back({&value_[first], &rate_[first], &accepted_[first], &slope_[first], &partner_[first]});
+    fields_.push_back(
+        {&value_[first], &rate_[first], &accepted_[first], &slope_[first], &partner_[first]});
   }
   input_ = {state.time, state.step, coordinates_.data(), fields_.data()};
 }
@@ -105,8 +113,8 @@ const CellInput& CellGatherer::gather(LocalIndex cell) {
   const auto per_cell = static_cast<std::size_t>(cells_.region->vertices_per_cell);
   const auto dimension = static_cast<std::size_t>(mesh_.dimension);
   for (std::size_t v = 0; v < per_cell; ++v) {
-    const auto vertex =
-        static_cast<std::size_t>(cells_.region->vertices[static_cast<std::size_t>(cell) * per_cell + v]);
+    const auto vertex = static_cast<std::size_t>(
+        cells_.region->vertices[static_cast<std::size_t>(cell) * per_cell + v]);
     for (std::size_t j = 0; j < dimension; ++j)
       coordinates_[v * dimension + j] = mesh_.coordinates[vertex * dimension + j];
   }

@@ -11,12 +11,14 @@ struct KernelCells {
   const Kernel* kernel = nullptr;
   const Region* region = nullptr;
   int module = 0;
-  std::vector<int> fields;        ///< per field of the kernel: index in the DofMap; -1 when nobody solves it
-  std::vector<int> first;         ///< first unknown of each field on a cell; one more entry: all unknowns
-  std::vector<LocalIndex> rows;   ///< [cell][unknown]: local row to read from; -1 reads zero
-  std::vector<char> writes;       ///< [cell][unknown]: 1 when the contribution counts (owned and governed)
-  std::vector<char> adds;         ///< [cell][unknown]: 1 when owned and the kernel adds to or governs it
-  std::vector<int> positions;     ///< [cell][unknown][unknown]: place in the matrix; -1 when dropped
+  std::vector<int>
+      fields;  ///< per field of the kernel: index in the DofMap; -1 when nobody solves it
+  std::vector<int> first;  ///< first unknown of each field on a cell; one more entry: all unknowns
+  std::vector<LocalIndex> rows;  ///< [cell][unknown]: local row to read from; -1 reads zero
+  std::vector<char>
+      writes;              ///< [cell][unknown]: 1 when the contribution counts (owned and governed)
+  std::vector<char> adds;  ///< [cell][unknown]: 1 when owned and the kernel adds to or governs it
+  std::vector<int> positions;  ///< [cell][unknown][unknown]: place in the matrix; -1 when dropped
 
   int unknowns() const { return first.back(); }
 };

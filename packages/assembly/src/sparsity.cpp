@@ -5,8 +5,10 @@
 namespace hawser {
 
 int Sparsity::find(LocalIndex row, LocalIndex column) const {
-  const auto begin = columns.begin() + static_cast<std::ptrdiff_t>(row_begin[static_cast<std::size_t>(row)]);
-  const auto end = columns.begin() + static_cast<std::ptrdiff_t>(row_begin[static_cast<std::size_t>(row) + 1]);
+  const auto begin =
+      columns.begin() + static_cast<std::ptrdiff_t>(row_begin[static_cast<std::size_t>(row)]);
+  const auto end =
+      columns.begin() + static_cast<std::ptrdiff_t>(row_begin[static_cast<std::size_t>(row) + 1]);
   const auto found = std::lower_bound(begin, end, column);
   return found == end || *found != column ? -1 : static_cast<int>(found - columns.begin());
 }
@@ -14,7 +16,8 @@ int Sparsity::find(LocalIndex row, LocalIndex column) const {
 Sparsity find_sparsity(LocalIndex owned_rows, const std::vector<KernelCells>& kernels,
                        const std::vector<std::pair<LocalIndex, LocalIndex>>& extra) {
   std::vector<std::vector<LocalIndex>> rows(static_cast<std::size_t>(owned_rows));
-  for (LocalIndex row = 0; row < owned_rows; ++row) rows[static_cast<std::size_t>(row)].push_back(row);
+  for (LocalIndex row = 0; row < owned_rows; ++row)
+    rows[static_cast<std::size_t>(row)].push_back(row);
   for (const auto& [row, column] : extra)
     if (row < owned_rows) rows[static_cast<std::size_t>(row)].push_back(column);
   for (const KernelCells& cells : kernels) {
@@ -46,7 +49,8 @@ void find_positions(const Sparsity& sparsity, KernelCells& cells) {
       if (cells.writes[begin + i] != 0)
         for (std::size_t j = 0; j < n; ++j)
           if (cells.rows[begin + j] >= 0)
-            cells.positions[(begin + i) * n + j] = sparsity.find(cells.rows[begin + i], cells.rows[begin + j]);
+            cells.positions[(begin + i) * n + j] =
+                sparsity.find(cells.rows[begin + i], cells.rows[begin + j]);
 }
 
 }  // namespace hawser

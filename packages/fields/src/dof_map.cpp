@@ -15,7 +15,8 @@ std::size_t slot(PointKind kind) { return static_cast<std::size_t>(kind); }
 
 /// Calls visit(kind, point) for the nodes of one cell, in the order of the shape functions.
 template <class Visit>
-void visit_nodes(const FieldDescription& field, const Region& region, LocalIndex cell, Visit&& visit) {
+void visit_nodes(const FieldDescription& field, const Region& region, LocalIndex cell,
+                 Visit&& visit) {
   const auto per_cell = static_cast<std::size_t>(region.vertices_per_cell);
   const auto c = static_cast<std::size_t>(cell);
   const bool split = field.split && !region.split_vertices.empty();
@@ -26,7 +27,8 @@ void visit_nodes(const FieldDescription& field, const Region& region, LocalIndex
       visit(PointKind::vertex, region.vertices[c * per_cell + k]);
   if (field.basis != Basis::p2) return;
   const auto edges = static_cast<std::size_t>(region.edges_per_cell);
-  for (std::size_t k = 0; k < edges; ++k) visit(PointKind::edge, region.edges[c * edges + k]);
+  for (std::size_t k = 0; k < edges; ++k)
+    visit(PointKind::edge, region.edges[c * edges + k]);
 }
 
 }  // namespace
@@ -50,12 +52,14 @@ const PointSet& DofMap::points(PointKind kind) const {
 
 void DofMap::mark_presence() {
   for (const PointKind kind : all_kinds)
-    first_row_[slot(kind)].assign(static_cast<std::size_t>(points(kind).size()) * fields_.size(), absent);
+    first_row_[slot(kind)].assign(static_cast<std::size_t>(points(kind).size()) * fields_.size(),
+                                  absent);
   for (std::size_t f = 0; f < fields_.size(); ++f)
     for (const std::string& name : fields_[f].regions) {
       const Region& region = mesh_->region(name);
       // A line has no sides: a split field lives where the surrounding cells put it.
-      if (fields_[f].split && region.split_vertices.empty() && region.dimension < mesh_->dimension) continue;
+      if (fields_[f].split && region.split_vertices.empty() && region.dimension < mesh_->dimension)
+        continue;
       for (LocalIndex cell = 0; cell < region.size(); ++cell)
         visit_nodes(fields_[f], region, cell, [&](PointKind kind, LocalIndex point) {
           first_row_[slot(kind)][static_cast<std::size_t>(point) * fields_.size() + f] = present;
@@ -66,7 +70,8 @@ void DofMap::mark_presence() {
 void DofMap::number_points(bool owned) {
   const auto number = [&](PointKind kind, LocalIndex point) {
     for (std::size_t f = 0; f < fields_.size(); ++f) {
-      LocalIndex& first = first_row_[slot(kind)][static_cast<std::size_t>(point) * fields_.size() + f];
+      LocalIndex& first =
+          first_row_[slot(kind)][static_cast<std::size_t>(point) * fields_.size() + f];
       if (first == absent) continue;
       first = rows();
       for (int c = 0; c < fields_[f].components; ++c)
@@ -76,14 +81,16 @@ void DofMap::number_points(bool owned) {
   const auto each = [&](PointKind kind, auto&& visit) {
     const LocalIndex begin = owned ? 0 : points(kind).owned;
     const LocalIndex end = owned ? points(kind).owned : points(kind).size();
-    for (LocalIndex point = begin; point < end; ++point) visit(point);
+    for (LocalIndex point = begin; point < end; ++point)
+      visit(point);
   };
   // Edges first: an incomplete factorisation wants every pressure after the velocities around it.
   each(PointKind::edge, [&](LocalIndex point) { number(PointKind::edge, point); });
 
   std::vector<std::vector<LocalIndex>> splits(static_cast<std::size_t>(mesh_->vertices.size()));
   each(PointKind::split_vertex, [&](LocalIndex point) {
-    splits[static_cast<std::size_t>(mesh_->vertex_of_split[static_cast<std::size_t>(point)])].push_back(point);
+    splits[static_cast<std::size_t>(mesh_->vertex_of_split[static_cast<std::size_t>(point)])]
+        .push_back(point);
   });
   each(PointKind::vertex, [&](LocalIndex point) {
     number(PointKind::vertex, point);
@@ -99,7 +106,8 @@ void DofMap::number_globally() {
   if (mesh_->communicator.rank() == 0) before = 0;
   global_count_ = mesh_->communicator.sum(mine);
   global_rows_.resize(info_.size());
-  for (LocalIndex row = 0; row < owned_; ++row) global_rows_[static_cast<std::size_t>(row)] = before + row;
+  for (LocalIndex row = 0; row < owned_; ++row)
+    global_rows_[static_cast<std::size_t>(row)] = before + row;
 
   const std::size_t width = fields_.size();
   for (const PointKind kind : all_kinds) {
@@ -108,7 +116,8 @@ void DofMap::number_globally() {
     for (std::size_t i = 0; i < static_cast<std::size_t>(points(kind).owned) * width; ++i)
       if (first[i] != absent) global[i] = before + first[i];
     exchange_ghosts(mesh_->communicator, points(kind), width, global);
-    for (std::size_t i = static_cast<std::size_t>(points(kind).owned) * width; i < first.size(); ++i)
+    for (std::size_t i = static_cast<std::size_t>(points(kind).owned) * width; i < first.size();
+         ++i)
       if (first[i] != absent)
         for (int c = 0; c < fields_[i % width].components; ++c)
           global_rows_[static_cast<std::size_t>(first[i] + c)] = global[i] + c;
@@ -133,9 +142,10 @@ int DofMap::nodes_per_cell(int field, const Region& region) const {
 
 void DofMap::append_cell_rows(int field, const Region& region, LocalIndex cell,
                               std::vector<LocalIndex>& first_rows) const {
-  visit_nodes(fields_[static_cast<std::size_t>(field)], region, cell, [&](PointKind kind, LocalIndex point) {
-    first_rows.push_back(first_row(field, kind, point));
-  });
+  visit_nodes(fields_[static_cast<std::size_t>(field)], region, cell,
+              [&](PointKind kind, LocalIndex point) {
+                first_rows.push_back(first_row(field, kind, point));
+              });
 }
 
 std::vector<LocalIndex> DofMap::region_rows(int field, const Region& region) const {
@@ -143,12 +153,15 @@ std::vector<LocalIndex> DofMap::region_rows(int field, const Region& region) con
   if (fields_[static_cast<std::size_t>(field)].split && region.split_vertices.empty()) {
     // A line or point has no sides: all that the field has at its vertices.
     std::vector<char> touched(static_cast<std::size_t>(mesh_->vertices.size()), 0);
-    for (const LocalIndex vertex : region.vertices) touched[static_cast<std::size_t>(vertex)] = 1;
+    for (const LocalIndex vertex : region.vertices)
+      touched[static_cast<std::size_t>(vertex)] = 1;
     for (LocalIndex split = 0; split < mesh_->split_vertices.size(); ++split)
-      if (touched[static_cast<std::size_t>(mesh_->vertex_of_split[static_cast<std::size_t>(split)])] != 0)
+      if (touched[static_cast<std::size_t>(
+              mesh_->vertex_of_split[static_cast<std::size_t>(split)])] != 0)
         result.push_back(first_row(field, PointKind::split_vertex, split));
   } else {
-    for (LocalIndex cell = 0; cell < region.size(); ++cell) append_cell_rows(field, region, cell, result);
+    for (LocalIndex cell = 0; cell < region.size(); ++cell)
+      append_cell_rows(field, region, cell, result);
   }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -163,12 +176,15 @@ void DofMap::position(LocalIndex row, double* coordinates) const {
   const auto vertex = [&](LocalIndex v, std::size_t j) {
     return mesh_->coordinates[static_cast<std::size_t>(v) * dimension + j];
   };
-  for (std::size_t j = 0; j < dimension; ++j) switch (row_info.kind) {
+  for (std::size_t j = 0; j < dimension; ++j)
+    switch (row_info.kind) {
       case PointKind::vertex: coordinates[j] = vertex(row_info.point, j); break;
-      case PointKind::split_vertex: coordinates[j] = vertex(mesh_->vertex_of_split[point], j); break;
+      case PointKind::split_vertex:
+        coordinates[j] = vertex(mesh_->vertex_of_split[point], j);
+        break;
       case PointKind::edge:
-        coordinates[j] =
-            0.5 * (vertex(mesh_->edge_ends[2 * point], j) + vertex(mesh_->edge_ends[2 * point + 1], j));
+        coordinates[j] = 0.5 * (vertex(mesh_->edge_ends[2 * point], j) +
+                                vertex(mesh_->edge_ends[2 * point + 1], j));
         break;
     }
 }

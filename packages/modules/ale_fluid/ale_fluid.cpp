@@ -17,12 +17,15 @@ struct Outflow {
     using P = Outflow;
     return Spec<P>("outflow", "A boundary through which the fluid leaves.")
         .attribute("on", &P::on, required(), "Boundary region.")
-        .choice("kind", &P::keeps_poiseuille, required(), {{"pressure", true}, {"traction-free", false}},
-                "What the outside does: \"pressure\" is t = -p0 n + mu (grad v)^T n, which leaves a developed "
+        .choice("kind", &P::keeps_poiseuille, required(),
+                {{"pressure", true}, {"traction-free", false}},
+                "What the outside does: \"pressure\" is t = -p0 n + mu (grad v)^T n, which leaves "
+                "a developed "
                 "channel flow undisturbed; \"traction-free\" is t = -p0 n, a free surface.")
         .attribute("pressure", &P::pressure, "Pa", "Outside pressure p0.")
-        .attribute("backflow", &P::backflow, "1", between(0, 1),
-                   "Share of the momentum flux that resists where fluid flows back in; 0.5 is ample.");
+        .attribute(
+            "backflow", &P::backflow, "1", between(0, 1),
+            "Share of the momentum flux that resists where fluid flows back in; 0.5 is ample.");
   }
 };
 
@@ -36,7 +39,8 @@ struct AleFluid {
   static Spec<AleFluid> spec() {
     using P = AleFluid;
     return Spec<P>("ale-fluid",
-                   "Incompressible Navier-Stokes flow on a moving mesh; linear velocity and pressure with "
+                   "Incompressible Navier-Stokes flow on a moving mesh; linear velocity and "
+                   "pressure with "
                    "SUPG, PSPG and LSIC stabilisation.")
         .attribute("region", &P::region, required(), "Region that the fluid fills.")
         .attribute("density", &P::density, "kg/m^3", positive(), "Mass density.")
@@ -52,7 +56,8 @@ PhysicsModule make_ale_fluid(const AleFluid& deck) {
   FluidProperties fluid;
   fluid.density = deck.density;
   fluid.viscosity = deck.viscosity;
-  for (std::size_t i = 0; i < 2; ++i) fluid.body_force[i] = deck.body_force[i];
+  for (std::size_t i = 0; i < 2; ++i)
+    fluid.body_force[i] = deck.body_force[i];
   module.kernels.push_back(std::make_unique<FluidKernel>(deck.region, fluid));
   for (const Outflow& outflow : deck.outflows)
     module.kernels.push_back(std::make_unique<OutflowKernel>(

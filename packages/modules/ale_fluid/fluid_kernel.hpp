@@ -1,5 +1,6 @@
 #pragma once
-// Incompressible Navier-Stokes flow on a moving mesh, at a quadrature point (theory.md, equations 1-8).
+// Incompressible Navier-Stokes flow on a moving mesh, at a quadrature point (theory.md, equations
+// 1-8).
 #include <array>
 
 #include "hawser/physics/moving_frame.hpp"
@@ -13,8 +14,9 @@ struct FluidProperties {
   double body_force[2] = {0, 0};  ///< per unit mass, m/s^2
 };
 
-/// Linear velocity and pressure with residual-based SUPG, PSPG and LSIC stabilisation, time scales from the
-/// metric of the moved element (Bazilevs et al., Comput. Methods Appl. Mech. Engrg. 197 (2007) 173-201).
+/// Linear velocity and pressure with residual-based SUPG, PSPG and LSIC stabilisation, time scales
+/// from the metric of the moved element (Bazilevs et al., Comput. Methods Appl. Mech. Engrg. 197
+/// (2007) 173-201).
 class FluidKernel : public PointKernel<FluidKernel> {
  public:
   static constexpr int dimension = 2;
@@ -44,7 +46,8 @@ class FluidKernel : public PointKernel<FluidKernel> {
     const Tensor<T, D> grad_v = frame.spatial(v.gradient);
     const Vector<T, D> grad_p = frame.spatial(p.gradient);
     Vector<T, D> convection;  // c = v - w, relative to the mesh
-    for (int i = 0; i < D; ++i) convection[i] = v.value[i] - at[displacement].rate[i];
+    for (int i = 0; i < D; ++i)
+      convection[i] = v.value[i] - at[displacement].rate[i];
     const Vector<T, D> convected = multiply(grad_v, convection);
     Vector<T, D> inertia;  // rho (dv/dt + c . grad v - b)
     for (int i = 0; i < D; ++i)
@@ -52,21 +55,26 @@ class FluidKernel : public PointKernel<FluidKernel> {
     const T divergence = trace(grad_v);
 
     const Scales<T> tau = time_scales<T>(at, frame, convection);
-    Vector<T, D> subscale;  // tau_M times the strong residual; the viscous term vanishes for linear shapes
-    for (int i = 0; i < D; ++i) subscale[i] = tau.momentum * (inertia[i] + grad_p[i]);
+    Vector<T, D>
+        subscale;  // tau_M times the strong residual; the viscous term vanishes for linear shapes
+    for (int i = 0; i < D; ++i)
+      subscale[i] = tau.momentum * (inertia[i] + grad_p[i]);
     const T mean_stress = rho * tau.continuity * divergence - p.value;
 
     Tensor<T, D> stress;
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j)
         stress(i, j) = mu * (grad_v(i, j) + grad_v(j, i)) + subscale[i] * convection[j];
-    for (int i = 0; i < D; ++i) stress(i, i) += mean_stress;
+    for (int i = 0; i < D; ++i)
+      stress(i, i) += mean_stress;
 
-    for (int i = 0; i < D; ++i) out[velocity].source[i] = frame.volume * inertia[i];
+    for (int i = 0; i < D; ++i)
+      out[velocity].source[i] = frame.volume * inertia[i];
     out[velocity].flux = frame.pull_back(stress);
     out[pressure].source = frame.volume * divergence;
     Vector<T, D> stabilised;
-    for (int i = 0; i < D; ++i) stabilised[i] = subscale[i] / rho;
+    for (int i = 0; i < D; ++i)
+      stabilised[i] = subscale[i] / rho;
     out[pressure].flux = frame.pull_back(stabilised);
   }
 
@@ -80,20 +88,23 @@ class FluidKernel : public PointKernel<FluidKernel> {
   };
 
   /// tau_M = (4/dt^2 + c.G c + C nu^2 G:G)^-1/2,  tau_C = w (c.G c + C nu^2 G:G)^1/2 / tr G.
-  /// G is the metric of the moved cell, 4/h^2 for an equilateral one of edge h: it is taken from the regular
-  /// simplex, so that the numbering of a cell's vertices does not matter. The step stays out of tau_C: short
-  /// steps would lock the volume of the cells at a sharp edge and raise the drag.
+  /// G is the metric of the moved cell, 4/h^2 for an equilateral one of edge h: it is taken from
+  /// the regular simplex, so that the numbering of a cell's vertices does not matter. The step
+  /// stays out of tau_C: short steps would lock the volume of the cells at a sharp edge and raise
+  /// the drag.
   template <class T, class Point>
   Scales<T> time_scales(const Point& at, const MovingFrame<T, dimension>& frame,
                         const Vector<T, dimension>& convection) const {
     constexpr int D = dimension;
     constexpr double inverse_estimate = 36.0;  // of linear shapes on simplices
-    // A quarter of the customary weight: at a sharp edge the full one adds 10 % drag on coarse cells.
+    // A quarter of the customary weight: at a sharp edge the full one adds 10 % drag on coarse
+    // cells.
     constexpr double continuity_weight = 0.25;
     const double nu = properties_.viscosity / properties_.density;
     const Tensor<T, D> to_cell = multiply_constant(at.inverse_jacobian, frame.inverse);
     T metric_squared = 0.0;
-    Tensor<T, D> metric;  // of the regular simplex of edge 2: sum_kl 2 (1 + delta_kl) dxi_k/dx dxi_l/dx
+    Tensor<T, D>
+        metric;  // of the regular simplex of edge 2: sum_kl 2 (1 + delta_kl) dxi_k/dx dxi_l/dx
     for (int i = 0; i < D; ++i)
       for (int j = i; j < D; ++j) {
         T sum_i = to_cell(0, i);
@@ -124,7 +135,8 @@ class FluidKernel : public PointKernel<FluidKernel> {
     for (int i = 0; i < dimension; ++i)
       for (int j = 0; j < dimension; ++j) {
         result(i, j) = a(i, 0) * b(0, j);
-        for (int k = 1; k < dimension; ++k) result(i, j) += a(i, k) * b(k, j);
+        for (int k = 1; k < dimension; ++k)
+          result(i, j) += a(i, k) * b(k, j);
       }
     return result;
   }

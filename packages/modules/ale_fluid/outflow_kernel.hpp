@@ -7,15 +7,15 @@
 namespace hawser {
 
 struct OutflowProperties {
-  double pressure = 0;            ///< p0, Pa
-  double density = 1000;          ///< kg/m^3
-  double viscosity = 1;           ///< dynamic, Pa s
-  bool keeps_poiseuille = true;   ///< t = -p0 n + mu (grad v)^T n, else t = -p0 n
-  double backflow = 0;            ///< share of rho (v.n)_- v that resists inflow through the outlet
+  double pressure = 0;           ///< p0, Pa
+  double density = 1000;         ///< kg/m^3
+  double viscosity = 1;          ///< dynamic, Pa s
+  bool keeps_poiseuille = true;  ///< t = -p0 n + mu (grad v)^T n, else t = -p0 n
+  double backflow = 0;           ///< share of rho (v.n)_- v that resists inflow through the outlet
 };
 
-/// On "facet" cells: the boundary edge's two nodes, then the third node of its triangle, so that the
-/// velocity gradient on the boundary is that of the adjacent cell.
+/// On "facet" cells: the boundary edge's two nodes, then the third node of its triangle, so that
+/// the velocity gradient on the boundary is that of the adjacent cell.
 class OutflowKernel : public ElementKernel<OutflowKernel> {
  public:
   static constexpr int dimension = 2;
@@ -33,7 +33,8 @@ class OutflowKernel : public ElementKernel<OutflowKernel> {
   void element_residual(const Element& at, T* out) const {
     T x[3][2];
     for (int a = 0; a < 3; ++a)
-      for (int i = 0; i < 2; ++i) x[a][i] = at.coordinate(a, i) + at.value(displacement, a, i);
+      for (int i = 0; i < 2; ++i)
+        x[a][i] = at.coordinate(a, i) + at.value(displacement, a, i);
     // Outward normal times the edge's length; the body lies on the left of 0 -> 1.
     const T normal[2] = {x[1][1] - x[0][1], x[0][0] - x[1][0]};
     const T twice_area = normal[0] * (x[0][0] - x[2][0]) + normal[1] * (x[0][1] - x[2][1]);
@@ -46,15 +47,16 @@ class OutflowKernel : public ElementKernel<OutflowKernel> {
         transposed[0] += (x[b][1] - x[c][1]) / twice_area * flow;
         transposed[1] += (x[c][0] - x[b][0]) / twice_area * flow;
       }
-      for (int i = 0; i < 2; ++i) load[i] += properties_.viscosity * transposed[i];
+      for (int i = 0; i < 2; ++i)
+        load[i] += properties_.viscosity * transposed[i];
     }
     for (int a = 0; a < 2; ++a) {
       const T flow = at.value(velocity, a, 0) * normal[0] + at.value(velocity, a, 1) * normal[1];
       for (int i = 0; i < 2; ++i) {
         out[at.index(velocity, a, i)] -= 0.5 * load[i];
         if (flow < 0.0)  // nodal quadrature
-          out[at.index(velocity, a, i)] -= 0.5 * properties_.backflow * properties_.density * flow *
-                                           at.value(velocity, a, i);
+          out[at.index(velocity, a, i)] -=
+              0.5 * properties_.backflow * properties_.density * flow * at.value(velocity, a, i);
       }
     }
   }

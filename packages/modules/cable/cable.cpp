@@ -12,7 +12,8 @@ struct Cable : CableProperties {
   static Spec<Cable> spec() {
     using P = Cable;
     return Spec<P>("cable",
-                   "Total Lagrangian cable with axial and bending stiffness that carries no compression; "
+                   "Total Lagrangian cable with axial and bending stiffness that carries no "
+                   "compression; "
                    "all quantities per metre of depth in two dimensions.")
         .attribute("region", &P::region, required(), "Line region of the cable.")
         .attribute("mass-per-length", &P::mass, "kg/m", positive(), "Inertia per length.")

@@ -9,16 +9,16 @@
 namespace hawser {
 
 struct CableProperties {
-  double mass = 60;               ///< per length, kg/m (per metre of depth)
-  double axial_stiffness = 1e7;   ///< EA, N
-  double bending_stiffness = 0;   ///< EI, N m^2
-  double damping = 0;             ///< external, N s/m per length
-  double slack_width = 1e-5;      ///< strain over which the tension is switched off smoothly
-  double compressive_ratio = 0;   ///< stiffness left in compression, relative to EA
+  double mass = 60;              ///< per length, kg/m (per metre of depth)
+  double axial_stiffness = 1e7;  ///< EA, N
+  double bending_stiffness = 0;  ///< EI, N m^2
+  double damping = 0;            ///< external, N s/m per length
+  double slack_width = 1e-5;     ///< strain over which the tension is switched off smoothly
+  double compressive_ratio = 0;  ///< stiffness left in compression, relative to EA
 };
 
-/// Second Piola tension of a cable that carries no compression, continuously differentiable in the strain:
-/// zero below -width, EA E above +width, a parabola between.
+/// Second Piola tension of a cable that carries no compression, continuously differentiable in the
+/// strain: zero below -width, EA E above +width, a parabola between.
 template <class T>
 T slack_tension(const T& strain, const CableProperties& cable) {
   const double width = cable.slack_width;
@@ -48,8 +48,9 @@ class CableKernel : public ElementKernel<CableKernel> {
   template <class Element, class T>
   void element_residual(const Element& at, T* out) const {
     constexpr int D = dimension;
-    const auto [length, strain, stretch] = deform<T>([&](int a, int i) { return at.coordinate(a, i); },
-                                                     [&](int a, int i) { return at.value(displacement, a, i); });
+    const auto [length, strain, stretch] =
+        deform<T>([&](int a, int i) { return at.coordinate(a, i); },
+                  [&](int a, int i) { return at.value(displacement, a, i); });
     const T tension = slack_tension(strain, cable_);
     for (int i = 0; i < D; ++i) {
       const T force = tension * stretch[i];
@@ -66,9 +67,9 @@ class CableKernel : public ElementKernel<CableKernel> {
   std::vector<Quantity> quantities() const override { return {{"tension", "N/m"}}; }
   /// The true tension, stretch times second Piola tension.
   void evaluate(const CellInput& cell, double* values) const override {
-    const auto [length, strain, stretch] =
-        deform<double>([&](int a, int i) { return cell.coordinates[a * dimension + i]; },
-                       [&](int a, int i) { return cell.fields[displacement].value[a * dimension + i]; });
+    const auto [length, strain, stretch] = deform<double>(
+        [&](int a, int i) { return cell.coordinates[a * dimension + i]; },
+        [&](int a, int i) { return cell.fields[displacement].value[a * dimension + i]; });
     values[0] = std::sqrt(1 + 2 * strain) * slack_tension(strain, cable_);
   }
 
@@ -85,7 +86,8 @@ class CableKernel : public ElementKernel<CableKernel> {
   template <class T, class Reference, class Displacement>
   static Deformation<T> deform(Reference&& X, Displacement&& d) {
     double squared = 0;
-    for (int i = 0; i < dimension; ++i) squared += (X(1, i) - X(0, i)) * (X(1, i) - X(0, i));
+    for (int i = 0; i < dimension; ++i)
+      squared += (X(1, i) - X(0, i)) * (X(1, i) - X(0, i));
     Deformation<T> result{std::sqrt(squared), T(0.0), {}};
     // E from the displacement alone: 1 is never subtracted from |x'|^2, which would cost digits.
     for (int i = 0; i < dimension; ++i) {
@@ -100,8 +102,8 @@ class CableKernel : public ElementKernel<CableKernel> {
   CableProperties cable_;
 };
 
-/// Bending from the angle between neighbouring segments, rotation-free: energy EI |t2 - t1|^2 / (2 l) with
-/// unit tangents t and l the mean segment length.
+/// Bending from the angle between neighbouring segments, rotation-free: energy EI |t2 - t1|^2 / (2
+/// l) with unit tangents t and l the mean segment length.
 class BendingKernel : public ElementKernel<BendingKernel> {
  public:
   static constexpr int dimension = 2;
@@ -133,7 +135,8 @@ class BendingKernel : public ElementKernel<BendingKernel> {
       mean_length += 0.5 * std::sqrt(reference);
       using std::sqrt;
       inverse_length[s] = 1.0 / sqrt(squared);
-      for (int i = 0; i < D; ++i) tangent[s][i] *= inverse_length[s];
+      for (int i = 0; i < D; ++i)
+        tangent[s][i] *= inverse_length[s];
     }
     const T cosine = dot(tangent[0], tangent[1]);
     const double stiffness = cable_.bending_stiffness / mean_length;

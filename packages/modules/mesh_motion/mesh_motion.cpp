@@ -11,14 +11,17 @@ struct MeshMotion : MeshStiffness {
 
   static Spec<MeshMotion> spec() {
     using P = MeshMotion;
-    return Spec<P>("mesh-motion", "Moves the mesh as a linear elastic body, stiffer where cells are small.")
+    return Spec<P>("mesh-motion",
+                   "Moves the mesh as a linear elastic body, stiffer where cells are small.")
         .attribute("region", &P::region, required(), "Region whose mesh moves.")
-        .choice("reference", &P::incremental, {{"incremental", true}, {"total", false}},
-                "Elastic about the last accepted configuration (long tows) or about the initial one "
-                "(periodic motion: the mesh returns where it was).")
+        .choice(
+            "reference", &P::incremental, {{"incremental", true}, {"total", false}},
+            "Elastic about the last accepted configuration (long tows) or about the initial one "
+            "(periodic motion: the mesh returns where it was).")
         .attribute("stiffening-power", &P::power, "1", non_negative(),
                    "Young's modulus goes with the cell's area to minus this power.")
-        .attribute("poisson-ratio", &P::poisson, "1", between(0, 0.49), "Poisson's ratio of the mesh.");
+        .attribute("poisson-ratio", &P::poisson, "1", between(0, 0.49),
+                   "Poisson's ratio of the mesh.");
   }
 };
 

@@ -9,8 +9,9 @@
 namespace hawser {
 
 struct MeshStiffness {
-  bool incremental = true;  ///< elastic about the last accepted configuration, else about the reference
-  double power = 1;         ///< Young's modulus ~ area^-power
+  bool incremental =
+      true;          ///< elastic about the last accepted configuration, else about the reference
+  double power = 1;  ///< Young's modulus ~ area^-power
   double poisson = 0.3;
 };
 
@@ -37,7 +38,8 @@ class MeshMotionKernel : public PointKernel<MeshMotionKernel> {
 
     Tensor<T, D> increment;
     for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) increment(i, j) = d.gradient(i, j) - base(i, j);
+      for (int j = 0; j < D; ++j)
+        increment(i, j) = d.gradient(i, j) - base(i, j);
     const Tensor<T, D> strain = multiply(increment, frame.inverse);
 
     // The reference area is 1 m^2: a common factor that cancels from the solution.
@@ -49,12 +51,15 @@ class MeshMotionKernel : public PointKernel<MeshMotionKernel> {
     const T volumetric = lambda * trace(strain);
     Tensor<T, D> stress;
     for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) stress(i, j) = shear * (strain(i, j) + strain(j, i));
-    for (int i = 0; i < D; ++i) stress(i, i) += volumetric;
+      for (int j = 0; j < D; ++j)
+        stress(i, j) = shear * (strain(i, j) + strain(j, i));
+    for (int i = 0; i < D; ++i)
+      stress(i, i) += volumetric;
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) {
         T sum = stress(i, 0) * frame.inverse(j, 0);
-        for (int k = 1; k < D; ++k) sum += stress(i, k) * frame.inverse(j, k);
+        for (int k = 1; k < D; ++k)
+          sum += stress(i, k) * frame.inverse(j, k);
         out[displacement].flux(i, j) = frame.volume * sum;
       }
   }

@@ -11,7 +11,8 @@ const ModuleRegistry::Entry* ModuleRegistry::find(const std::string& tag) const 
 
 std::vector<std::string> ModuleRegistry::tags() const {
   std::vector<std::string> tags;
-  for (const auto& entry : entries_) tags.push_back(entry.first);
+  for (const auto& entry : entries_)
+    tags.push_back(entry.first);
   return tags;
 }
 

@@ -10,18 +10,21 @@ namespace {
 
 std::vector<std::string> field_names(const DofMap& dofs) {
   std::vector<std::string> names;
-  for (const auto& field : dofs.fields()) names.push_back(field.name);
+  for (const auto& field : dofs.fields())
+    names.push_back(field.name);
   return names;
 }
 
 }  // namespace
 
-Conditions::Conditions(const Assembler& assembler, const ConditionsDeck& deck, Diagnostics& diagnostics)
+Conditions::Conditions(const Assembler& assembler, const ConditionsDeck& deck,
+                       Diagnostics& diagnostics)
     : assembler_(assembler), dofs_(assembler.dofs()) {
   velocity_of_.assign(static_cast<std::size_t>(dofs_.rows()), -1);
   for (const auto& pair : assembler.kinematic_pairs())
     velocity_of_[static_cast<std::size_t>(pair.displacement)] = pair.velocity;
-  for (const ConditionDeck& condition : deck.initial) initial_.push_back(resolve(condition, diagnostics));
+  for (const ConditionDeck& condition : deck.initial)
+    initial_.push_back(resolve(condition, diagnostics));
   for (const ConditionDeck& condition : deck.prescribe) {
     prescribed_.push_back(resolve(condition, diagnostics));
     for (const Expression& value : condition.value.value)
@@ -36,18 +39,18 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, Diagnostics& di
   entry.until = deck.until.value_or(entry.until);
   const int field = dofs_.find(deck.field.value);
   if (field < 0) {
-    diagnostics.error(deck.field.location,
-                      "no module solves for a field '" + deck.field.value + "'; there are " +
-                          listed(field_names(dofs_)) + did_you_mean(deck.field.value, field_names(dofs_)));
+    diagnostics.error(deck.field.location, "no module solves for a field '" + deck.field.value +
+                                               "'; there are " + listed(field_names(dofs_)) +
+                                               did_you_mean(deck.field.value, field_names(dofs_)));
     return entry;
   }
   const int components = dofs_.fields()[static_cast<std::size_t>(field)].components;
   const bool all = deck.component.value == "all";
   entry.first_component = all ? 0 : deck.component.value[0] - 'x';
   if (!all && entry.first_component >= components)
-    diagnostics.error(deck.component.location, "field '" + deck.field.value + "' has no component " +
-                                                   deck.component.value + " here; it has " +
-                                                   std::to_string(components));
+    diagnostics.error(deck.component.location, "field '" + deck.field.value +
+                                                   "' has no component " + deck.component.value +
+                                                   " here; it has " + std::to_string(components));
   const std::size_t wanted = all ? static_cast<std::size_t>(components) : 1;
   if (entry.value.size() != wanted)
     diagnostics.error(deck.value.location, "value has " + std::to_string(entry.value.size()) +
@@ -66,7 +69,8 @@ LocalIndex Conditions::displacement_at(LocalIndex row) const {
   const int displacement = dofs_.find("displacement");
   if (displacement < 0) return -1;
   const RowInfo& info = dofs_.info(row);
-  if (info.kind != PointKind::split_vertex) return dofs_.first_row(displacement, info.kind, info.point);
+  if (info.kind != PointKind::split_vertex)
+    return dofs_.first_row(displacement, info.kind, info.point);
   const LocalIndex vertex = dofs_.mesh().vertex_of_split[static_cast<std::size_t>(info.point)];
   return dofs_.first_row(displacement, PointKind::vertex, vertex);
 }
@@ -91,11 +95,13 @@ void Conditions::set_initial(State& state) const {
         for (std::size_t c = 0; c < entry.value.size(); ++c) {
           const auto row = static_cast<std::size_t>(first + entry.first_component) + c;
           state.value[row] = entry.value[c](at);
-          state.rate[row] = entry.value[c].depends_on_time() ? entry.value[c].time_derivative(at) : 0;
+          state.rate[row] =
+              entry.value[c].depends_on_time() ? entry.value[c].time_derivative(at) : 0;
           if (moved < 0 || !entry.value[c].depends_on_moved_position()) continue;
           const auto slope = entry.value[c].gradient(at);  // the node is carried along
           for (int j = 0; j < mesh.dimension; ++j)
-            state.rate[row] += slope[static_cast<std::size_t>(j)] * state.rate[static_cast<std::size_t>(moved + j)];
+            state.rate[row] += slope[static_cast<std::size_t>(j)] *
+                               state.rate[static_cast<std::size_t>(moved + j)];
         }
       }
   });

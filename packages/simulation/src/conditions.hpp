@@ -41,7 +41,8 @@ class Conditions {
 
   const Assembler& assembler_;
   const DofMap& dofs_;
-  std::vector<LocalIndex> velocity_of_;  // per local row: a structure displacement's velocity row, or -1
+  std::vector<LocalIndex>
+      velocity_of_;  // per local row: a structure displacement's velocity row, or -1
   std::vector<Entry> initial_, prescribed_;
   bool follow_the_mesh_ = false;
 };

@@ -1,15 +1,20 @@
 #include "src/coupled_problem.hpp"
 
-#include <algorithm>
-
 #include <Tpetra_Vector.hpp>
+
+#include <algorithm>
 
 namespace hawser {
 
-CoupledProblem::CoupledProblem(Assembler& assembler, TimeIntegrator& integrator, const Conditions& conditions)
-    : assembler_(assembler), integrator_(integrator), conditions_(conditions), constraints_(assembler) {
+CoupledProblem::CoupledProblem(Assembler& assembler, TimeIntegrator& integrator,
+                               const Conditions& conditions)
+    : assembler_(assembler),
+      integrator_(integrator),
+      conditions_(conditions),
+      constraints_(assembler) {
   const auto rows = static_cast<std::size_t>(assembler.dofs().rows());
-  for (auto* array : {&state_.value, &state_.rate, &state_.accepted, &state_.rate_slope, &state_.rate_partner})
+  for (auto* array :
+       {&state_.value, &state_.rate, &state_.accepted, &state_.rate_slope, &state_.rate_partner})
     array->assign(rows, 0);
 }
 

@@ -13,13 +13,17 @@ Spec<LinearOptions> linear_spec() {
   using P = LinearOptions;
   return Spec<P>("linear", "Solver of the linear equations in each Newton iteration.")
       .choice("method", &P::method, {{"gmres", P::Method::gmres}, {"mumps", P::Method::mumps}},
-              "GMRES preconditioned by overlapping Schwarz with an incomplete factor, or by MUMPS' complete one.")
+              "GMRES preconditioned by overlapping Schwarz with an incomplete factor, or by MUMPS' "
+              "complete one.")
       .attribute("tolerance", &P::tolerance, "1", between(1e-14, 0.5),
                  "Of the row-scaled residual, relative to the right-hand side.")
       .attribute("restart", &P::restart, at_least(1), "GMRES vectors kept before a restart.")
-      .attribute("max-iterations", &P::max_iterations, at_least(1), "GMRES iterations before it counts as failed.")
-      .attribute("fill-level", &P::fill_level, between(0, 10), "Fill level of the incomplete factor.")
-      .attribute("overlap", &P::overlap, between(0, 10), "Schwarz overlap between ranks, in layers.")
+      .attribute("max-iterations", &P::max_iterations, at_least(1),
+                 "GMRES iterations before it counts as failed.")
+      .attribute("fill-level", &P::fill_level, between(0, 10),
+                 "Fill level of the incomplete factor.")
+      .attribute("overlap", &P::overlap, between(0, 10),
+                 "Schwarz overlap between ranks, in layers.")
       .attribute("keep-factor", &P::keep_factor,
                  "Keep a factor for later matrices until it costs too many iterations.")
       .attribute("refresh-ratio", &P::refresh_ratio, "1", at_least(1),
@@ -32,10 +36,14 @@ Spec<NonlinearOptions> newton_spec() {
   return Spec<P>("newton", "Newton's method.")
       .attribute("tolerance", &P::tolerance, "1", between(1e-15, 1e-1),
                  "Largest residual of a block relative to the contributions that cancel in it.")
-      .attribute("max-iterations", &P::max_iterations, at_least(1), "Iterations before a step is rejected.")
-      .attribute("line-search", &P::line_search, "Halve an update that is not admissible or explodes.")
-      .attribute("forcing", &P::forcing, "Looser linear solves far from the solution (Eisenstat-Walker).")
-      .attribute("forcing-max", &P::forcing_max, "1", between(1e-12, 0.9), "Loosest linear tolerance with forcing.");
+      .attribute("max-iterations", &P::max_iterations, at_least(1),
+                 "Iterations before a step is rejected.")
+      .attribute("line-search", &P::line_search,
+                 "Halve an update that is not admissible or explodes.")
+      .attribute("forcing", &P::forcing,
+                 "Looser linear solves far from the solution (Eisenstat-Walker).")
+      .attribute("forcing-max", &P::forcing_max, "1", between(1e-12, 0.9),
+                 "Loosest linear tolerance with forcing.");
 }
 
 Spec<ConditionDeck> condition_spec(const std::string& tag, const std::string& meaning) {
@@ -43,7 +51,8 @@ Spec<ConditionDeck> condition_spec(const std::string& tag, const std::string& me
   return Spec<P>(tag, meaning)
       .attribute("field", &P::field, required(), "Field by name, such as velocity.")
       .attribute("on", &P::on, required(), "Regions, by name.")
-      .attribute("component", &P::component, one_of({"all", "x", "y", "z"}), "Which component the value is for.")
+      .attribute("component", &P::component, one_of({"all", "x", "y", "z"}),
+                 "Which component the value is for.")
       .attribute("value", &P::value, "SI", required(),
                  "A number or expression per component, of x y z (moved), X Y Z (reference), t.");
 }
@@ -59,10 +68,12 @@ Spec<TowBoxDeck> TowBoxDeck::spec() {
       .attribute("tail", &P::tail, "m", required() && length(2), "Where the cable ends.")
       .attribute("cable-size", &P::cable_size, "m", positive(), "Segment length on the cable.")
       .attribute("far-size", &P::far_size, "m", positive(), "Largest cell size.")
-      .attribute("growth", &P::growth, "1", positive(), "Growth of the cell size per distance from the cable.")
+      .attribute("growth", &P::growth, "1", positive(),
+                 "Growth of the cell size per distance from the cable.")
       .attribute("end-size", &P::end_size, "m", non_negative(),
                  "Segment length at the cable's ends; 0 for the same as on the cable.")
-      .attribute("flow-direction", &P::flow_direction, flow_directions(), "Which boundary is the outflow.");
+      .attribute("flow-direction", &P::flow_direction, flow_directions(),
+                 "Which boundary is the outflow.");
 }
 
 TowBox TowBoxDeck::box() const {
@@ -70,7 +81,8 @@ TowBox TowBoxDeck::box() const {
   box.x_min = min[0], box.y_min = min[1], box.x_max = max[0], box.y_max = max[1];
   copy(tow_point, box.tow_point);
   copy(tail, box.tail);
-  box.cable_size = cable_size, box.far_size = far_size, box.growth = growth, box.end_size = end_size;
+  box.cable_size = cable_size, box.far_size = far_size, box.growth = growth,
+  box.end_size = end_size;
   box.flow_direction = flow_direction;
   return box;
 }
@@ -83,7 +95,8 @@ Spec<WaterBoxDeck> WaterBoxDeck::spec() {
       .attribute("size", &P::size, "m", non_negative(), "Cell size of an unstructured mesh.")
       .attribute("cells", &P::cells, "1", length(2) && non_negative(),
                  "Cells in x and y of a structured mesh; 0 0 for an unstructured one.")
-      .attribute("flow-direction", &P::flow_direction, flow_directions(), "Which boundary is the outflow.")
+      .attribute("flow-direction", &P::flow_direction, flow_directions(),
+                 "Which boundary is the outflow.")
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
         if ((p.size > 0) == (p.cells[0] > 0 && p.cells[1] > 0))
           diagnostics.error(where, "<water-box> needs either size or cells, and not both");
@@ -113,7 +126,8 @@ Spec<MeshDeck> MeshDeck::spec() {
       .child(&P::water_box)
       .child(&P::file)
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
-        if (int(p.tow_box.has_value()) + int(p.water_box.has_value()) + int(p.file.has_value()) != 1)
+        if (int(p.tow_box.has_value()) + int(p.water_box.has_value()) + int(p.file.has_value()) !=
+            1)
           diagnostics.error(where, "<mesh> needs exactly one of <tow-box>, <water-box> and <file>");
       });
 }
@@ -124,15 +138,18 @@ Spec<PluginDeck> PluginDeck::spec() {
 }
 
 Spec<ModulesDeck> ModulesDeck::spec() {
-  return Spec<ModulesDeck>("modules", "The physics.").any_children(&ModulesDeck::modules, "physics modules");
+  return Spec<ModulesDeck>("modules", "The physics.")
+      .any_children(&ModulesDeck::modules, "physics modules");
 }
 
 Spec<ConditionDeck> ConditionDeck::initial_spec() {
-  return condition_spec("initial", "A field's values at the start; later ones replace earlier ones.");
+  return condition_spec("initial",
+                        "A field's values at the start; later ones replace earlier ones.");
 }
 Spec<ConditionDeck> ConditionDeck::prescribe_spec() {
   using P = ConditionDeck;
-  return condition_spec("prescribe", "A field's values on a region, at all times or within a window.")
+  return condition_spec("prescribe",
+                        "A field's values on a region, at all times or within a window.")
       .attribute("from", &P::from, "s", "Holds for steps that end after this time.")
       .attribute("until", &P::until, "s", "Holds for steps that end at this time or before.");
 }
@@ -150,7 +167,8 @@ Spec<TimeDeck> TimeDeck::spec() {
       .choice("scheme", &P::steady, {{"newmark", false}, {"steady", true}},
               "Newmark's method, or one solve without rates.")
       .attribute("beta", &P::beta, "1", between(0.25, 1), "Newmark's beta.")
-      .attribute("gamma", &P::gamma, "1", between(0.5, 1), "Newmark's gamma; 0.5 is second order, more damps.")
+      .attribute("gamma", &P::gamma, "1", between(0.5, 1),
+                 "Newmark's gamma; 0.5 is second order, more damps.")
       .attribute("step", &P::step, "s", positive(), "Length of a step.")
       .attribute("least-step", &P::least, "s", non_negative(),
                  "A rejected step is halved down to this length; 0 for a thousandth of the step.")
@@ -167,21 +185,27 @@ Spec<SolverDeck> SolverDeck::spec() {
 
 Spec<TowDeck> TowDeck::spec() {
   using P = TowDeck;
-  return Spec<P>("tow", "Reports the positioning errors of a towed cable and the force at its tow point.")
+  return Spec<P>("tow",
+                 "Reports the positioning errors of a towed cable and the force at its tow point.")
       .attribute("cable", &P::cable, required(), "Line region of the cable.")
       .attribute("tow-point", &P::tow_point, required(), "Point region where it is towed.")
-      .attribute("angle", &P::angle, "degrees", between(-180, 180), "Of the tow axis from upstream (+y) toward +x.")
-      .attribute("speed", &P::speed, "m/s", non_negative(), "Of the tow, for the exact straight-cable values.")
+      .attribute("angle", &P::angle, "degrees", between(-180, 180),
+                 "Of the tow axis from upstream (+y) toward +x.")
+      .attribute("speed", &P::speed, "m/s", non_negative(),
+                 "Of the tow, for the exact straight-cable values.")
       .attribute("current", &P::current, "m/s", non_negative(), "Of the water along -y, likewise.");
 }
 
 Spec<ForceDeck> ForceDeck::spec() {
   using P = ForceDeck;
-  return Spec<P>("force", "Reports the force on a region: of one module, or the support's reaction.")
+  return Spec<P>("force",
+                 "Reports the force on a region: of one module, or the support's reaction.")
       .attribute("name", &P::name, required(), "Start of the quantities' names.")
       .attribute("on", &P::on, required(), "Region whose velocity rows are summed.")
-      .attribute("module", &P::module, "Module whose load on the region is reported; all for the reaction.")
-      .attribute("axis", &P::axis, "1", length(2), "Direction of the component called along; across is 90 degrees left.");
+      .attribute("module", &P::module,
+                 "Module whose load on the region is reported; all for the reaction.")
+      .attribute("axis", &P::axis, "1", length(2),
+                 "Direction of the component called along; across is 90 degrees left.");
 }
 
 Spec<ProbeDeck> ProbeDeck::spec() {
@@ -195,9 +219,12 @@ Spec<ProbeDeck> ProbeDeck::spec() {
 Spec<OutputDeck> OutputDeck::spec() {
   using P = OutputDeck;
   return Spec<P>("output", "What is written, and how often.")
-      .attribute("fields-every", &P::fields_every, at_least(0), "Steps between outputs of the fields; 0 for the end only.")
-      .attribute("history-every", &P::history_every, at_least(1), "Steps between rows of the histories.")
-      .attribute("checkpoint-every", &P::checkpoint_every, at_least(0), "Steps between checkpoints; 0 for none.")
+      .attribute("fields-every", &P::fields_every, at_least(0),
+                 "Steps between outputs of the fields; 0 for the end only.")
+      .attribute("history-every", &P::history_every, at_least(1),
+                 "Steps between rows of the histories.")
+      .attribute("checkpoint-every", &P::checkpoint_every, at_least(0),
+                 "Steps between checkpoints; 0 for none.")
       .children(&P::probes);
 }
 
@@ -206,7 +233,8 @@ Spec<ExpectDeck> ExpectDeck::spec() {
   return Spec<P>("expect", "A reported quantity that must come out; otherwise the exit code is 8.")
       .attribute("quantity", &P::quantity, required(), "Name in summary.json.")
       .attribute("value", &P::value, "as the quantity", required(), "What is expected.")
-      .attribute("within", &P::within, "as the quantity", required() && non_negative(), "Allowed difference.")
+      .attribute("within", &P::within, "as the quantity", required() && non_negative(),
+                 "Allowed difference.")
       .attribute("why", &P::why, required(), "Where the value comes from.");
 }
 

@@ -9,7 +9,8 @@ std::vector<GlobalIndex> owned_ids(const PointSet& points) {
   return {points.ids.begin(), points.ids.begin() + points.owned};
 }
 
-/// Every triangle of the mesh; vertices are doubled along slits so that the pressure's jump is seen.
+/// Every triangle of the mesh; vertices are doubled along slits so that the pressure's jump is
+/// seen.
 Grid flow_grid(const Mesh& mesh) {
   Grid grid;
   grid.name = "flow";
@@ -51,12 +52,14 @@ Grid cable_grid(const Mesh& mesh, const LineGeometry& line) {
 
 }  // namespace
 
-FieldOutput::FieldOutput(const Assembler& assembler, const TowReport* tow, const std::string& folder, int keep_until)
+FieldOutput::FieldOutput(const Assembler& assembler, const TowReport* tow,
+                         const std::string& folder, int keep_until)
     : assembler_(assembler), dofs_(assembler.dofs()), tow_(tow) {
   const Mesh& mesh = dofs_.mesh();
   flow_ = std::make_unique<FieldWriter>(mesh.communicator, folder, flow_grid(mesh), keep_until);
   if (tow_ != nullptr)
-    cable_ = std::make_unique<FieldWriter>(mesh.communicator, folder, cable_grid(mesh, tow_->line()), keep_until);
+    cable_ = std::make_unique<FieldWriter>(mesh.communicator, folder,
+                                           cable_grid(mesh, tow_->line()), keep_until);
 }
 
 void FieldOutput::write(int step, const State& state) {
@@ -70,8 +73,10 @@ void FieldOutput::write_flow(int step, const State& state) {
   const auto dimension = static_cast<std::size_t>(mesh.dimension);
   const auto row_of = [&](std::size_t field, std::size_t point) {
     return dofs_.fields()[field].split
-               ? dofs_.first_row(static_cast<int>(field), PointKind::split_vertex, static_cast<LocalIndex>(point))
-               : dofs_.first_row(static_cast<int>(field), PointKind::vertex, mesh.vertex_of_split[point]);
+               ? dofs_.first_row(static_cast<int>(field), PointKind::split_vertex,
+                                 static_cast<LocalIndex>(point))
+               : dofs_.first_row(static_cast<int>(field), PointKind::vertex,
+                                 mesh.vertex_of_split[point]);
   };
   std::vector<double> coordinates(points * dimension);
   for (std::size_t p = 0; p < points; ++p)
@@ -90,7 +95,8 @@ void FieldOutput::write_flow(int step, const State& state) {
         field.values[p * components + c] = state.value[static_cast<std::size_t>(first) + c];
     }
     if (field.name == "displacement")
-      for (std::size_t i = 0; i < coordinates.size(); ++i) coordinates[i] += field.values[i];
+      for (std::size_t i = 0; i < coordinates.size(); ++i)
+        coordinates[i] += field.values[i];
     fields.push_back(std::move(field));
   }
   flow_->write(step, state.time, coordinates, fields);

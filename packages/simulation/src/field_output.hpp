@@ -12,7 +12,8 @@ namespace hawser {
 class FieldOutput {
  public:
   /// `tow` may be null. `keep_until`: steps of an earlier run that stay (a restart), else -1.
-  FieldOutput(const Assembler& assembler, const TowReport* tow, const std::string& folder, int keep_until);
+  FieldOutput(const Assembler& assembler, const TowReport* tow, const std::string& folder,
+              int keep_until);
 
   /// Collective; OutputError on all ranks.
   void write(int step, const State& state);

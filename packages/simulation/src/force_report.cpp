@@ -22,8 +22,9 @@ ForceReport::ForceReport(const Assembler& assembler, const std::vector<PhysicsMo
     if (modules[m].name == deck.module.value) module_ = static_cast<int>(m);
   }
   if (module_ == Assembler::all_modules)
-    diagnostics.error(deck.module.location, "the deck has no module '" + deck.module.value + "'; it has " +
-                                                listed(names) + did_you_mean(deck.module.value, names));
+    diagnostics.error(deck.module.location, "the deck has no module '" + deck.module.value +
+                                                "'; it has " + listed(names) +
+                                                did_you_mean(deck.module.value, names));
 }
 
 Force ForceReport::measure(const State& state, const std::vector<double>& reactions) const {
@@ -33,8 +34,10 @@ Force ForceReport::measure(const State& state, const std::vector<double>& reacti
   const double sign = module_ == Assembler::all_modules ? 1 : -1;
   double force[2] = {0, 0};
   for (const LocalIndex row : rows_)
-    for (int j = 0; j < 2; ++j) force[j] += sign * rows[static_cast<std::size_t>(row + j)];
-  MPI_Allreduce(MPI_IN_PLACE, force, 2, MPI_DOUBLE, MPI_SUM, assembler_.dofs().mesh().communicator.mpi());
+    for (int j = 0; j < 2; ++j)
+      force[j] += sign * rows[static_cast<std::size_t>(row + j)];
+  MPI_Allreduce(MPI_IN_PLACE, force, 2, MPI_DOUBLE, MPI_SUM,
+                assembler_.dofs().mesh().communicator.mpi());
   const double length = std::hypot(deck_.axis[0], deck_.axis[1]);
   Force result;
   result.along = (force[0] * deck_.axis[0] + force[1] * deck_.axis[1]) / length;

@@ -15,8 +15,8 @@ struct Force {
 
 class ForceReport {
  public:
-  ForceReport(const Assembler& assembler, const std::vector<PhysicsModule>& modules, const ForceDeck& deck,
-              Diagnostics& diagnostics);
+  ForceReport(const Assembler& assembler, const std::vector<PhysicsModule>& modules,
+              const ForceDeck& deck, Diagnostics& diagnostics);
 
   const std::string& name() const { return deck_.name; }
   /// Load of the module on the region (minus its residual), or the reaction for "all". Collective.

@@ -8,26 +8,38 @@ std::string probe_column(const Probe& probe, int component) {
   return name;
 }
 
-Histories::Histories(const Communicator& communicator, const std::string& folder, const TowReport* tow,
-                     const std::vector<ForceReport>& forces, const std::vector<Probe>& probes,
-                     std::optional<double> keep_until)
+Histories::Histories(const Communicator& communicator, const std::string& folder,
+                     const TowReport* tow, const std::vector<ForceReport>& forces,
+                     const std::vector<Probe>& probes, std::optional<double> keep_until)
     : tow_(tow) {
-  std::vector<Column> columns = {{"t", "s"},           {"step", "s"},     {"newton_iterations", ""},
-                                 {"linear_iterations", ""}, {"mesh_quality_min", ""}, {"courant_max", ""}};
+  std::vector<Column> columns = {{"t", "s"},
+                                 {"step", "s"},
+                                 {"newton_iterations", ""},
+                                 {"linear_iterations", ""},
+                                 {"mesh_quality_min", ""},
+                                 {"courant_max", ""}};
   if (tow != nullptr)
-    for (const Column& column : {Column{"end_error", "m"}, {"total_error", "m"}, {"total_error_arc", "m"},
-                                 {"tow_force", "N/m"}, {"tow_force_along", "N/m"}, {"tow_force_across", "N/m"},
-                                 {"cable_angle", "deg"}, {"cable_length", "m"}})
+    for (const Column& column : {Column{"end_error", "m"},
+                                 {"total_error", "m"},
+                                 {"total_error_arc", "m"},
+                                 {"tow_force", "N/m"},
+                                 {"tow_force_along", "N/m"},
+                                 {"tow_force_across", "N/m"},
+                                 {"cable_angle", "deg"},
+                                 {"cable_length", "m"}})
       columns.push_back(column);
   for (const ForceReport& force : forces)
-    for (const char* part : {"_force", "_force_along", "_force_across"}) columns.push_back({force.name() + part, "N/m"});
+    for (const char* part : {"_force", "_force_along", "_force_across"})
+      columns.push_back({force.name() + part, "N/m"});
   for (const Probe& probe : probes)
-    for (int c = 0; c < probe.components; ++c) columns.push_back({probe_column(probe, c), probe.unit});
+    for (int c = 0; c < probe.components; ++c)
+      columns.push_back({probe_column(probe, c), probe.unit});
   system_ = std::make_unique<History>(communicator, folder + "/history.csv", columns, keep_until);
   if (tow != nullptr)
     cable_ = std::make_unique<History>(
         communicator, folder + "/cable.csv",
-        std::vector<Column>{{"t", "s"}, {"arc_length", "m"}, {"x", "m"}, {"y", "m"}, {"positioning_error", "m"}},
+        std::vector<Column>{
+            {"t", "s"}, {"arc_length", "m"}, {"x", "m"}, {"y", "m"}, {"positioning_error", "m"}},
         keep_until);
 }
 
@@ -39,12 +51,14 @@ void Histories::append(const StepFigures& figures) {
                              figures.mesh_quality,
                              figures.courant};
   if (tow_ != nullptr)
-    for (const double value : {figures.tow.end_error, figures.tow.total_error, figures.tow.total_error_arc,
-                               figures.tow.force, figures.tow.force_along, figures.tow.force_across,
-                               figures.tow.cable_angle, figures.tow.length})
+    for (const double value :
+         {figures.tow.end_error, figures.tow.total_error, figures.tow.total_error_arc,
+          figures.tow.force, figures.tow.force_along, figures.tow.force_across,
+          figures.tow.cable_angle, figures.tow.length})
       row.push_back(value);
   for (const Force& force : figures.forces)
-    for (const double value : {force.magnitude, force.along, force.across}) row.push_back(value);
+    for (const double value : {force.magnitude, force.along, force.across})
+      row.push_back(value);
   row.insert(row.end(), figures.probes.begin(), figures.probes.end());
   system_->append(row);
 }

@@ -1,5 +1,6 @@
 #pragma once
-// CSV files that grow with the run: history.csv (quantities of the whole system), cable.csv (every node).
+// CSV files that grow with the run: history.csv (quantities of the whole system), cable.csv (every
+// node).
 #include <memory>
 #include <optional>
 #include <string>

@@ -9,15 +9,17 @@
 namespace hawser {
 namespace {
 
-std::vector<GlobalIndex> gather_all(const Communicator& communicator, const std::vector<GlobalIndex>& mine) {
+std::vector<GlobalIndex> gather_all(const Communicator& communicator,
+                                    const std::vector<GlobalIndex>& mine) {
   std::vector<int> counts(static_cast<std::size_t>(communicator.size()));
   const int count = static_cast<int>(mine.size());
   MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator.mpi());
   std::vector<int> starts(counts.size(), 0);
-  for (std::size_t r = 1; r < counts.size(); ++r) starts[r] = starts[r - 1] + counts[r - 1];
+  for (std::size_t r = 1; r < counts.size(); ++r)
+    starts[r] = starts[r - 1] + counts[r - 1];
   std::vector<GlobalIndex> all(static_cast<std::size_t>(starts.back() + counts.back()));
-  MPI_Allgatherv(mine.data(), count, MPI_LONG_LONG, all.data(), counts.data(), starts.data(), MPI_LONG_LONG,
-                 communicator.mpi());
+  MPI_Allgatherv(mine.data(), count, MPI_LONG_LONG, all.data(), counts.data(), starts.data(),
+                 MPI_LONG_LONG, communicator.mpi());
   return all;
 }
 
@@ -26,7 +28,9 @@ std::vector<GlobalIndex> gather_all(const Communicator& communicator, const std:
 LineGeometry::LineGeometry(const DofMap& dofs, const Region& line, const Region& start)
     : dofs_(dofs), line_(line) {
   const Mesh& mesh = dofs.mesh();
-  const auto id = [&](LocalIndex vertex) { return mesh.vertices.ids[static_cast<std::size_t>(vertex)]; };
+  const auto id = [&](LocalIndex vertex) {
+    return mesh.vertices.ids[static_cast<std::size_t>(vertex)];
+  };
   std::vector<GlobalIndex> ends;
   for (LocalIndex cell = 0; cell < line.size(); ++cell)
     if (line.cell_owners[static_cast<std::size_t>(cell)] == mesh.communicator.rank())
@@ -34,7 +38,8 @@ LineGeometry::LineGeometry(const DofMap& dofs, const Region& line, const Region&
         ends.push_back(id(line.vertices[2 * static_cast<std::size_t>(cell) + k]));
   ends = gather_all(mesh.communicator, ends);
   std::vector<GlobalIndex> starts;
-  for (const LocalIndex vertex : start.vertices) starts.push_back(id(vertex));
+  for (const LocalIndex vertex : start.vertices)
+    starts.push_back(id(vertex));
   starts = gather_all(mesh.communicator, starts);
 
   std::multimap<GlobalIndex, GlobalIndex> neighbours;
@@ -55,24 +60,27 @@ LineGeometry::LineGeometry(const DofMap& dofs, const Region& line, const Region&
     current = next;
   }
   if (ids_.size() != expected)
-    throw MeshError("region '" + line.name + "' is not one unbranched line that starts at '" + start.name + "'");
+    throw MeshError("region '" + line.name + "' is not one unbranched line that starts at '" +
+                    start.name + "'");
 
   std::map<GlobalIndex, std::size_t> place;
-  for (std::size_t i = 0; i < ids_.size(); ++i) place.emplace(ids_[i], i);
+  for (std::size_t i = 0; i < ids_.size(); ++i)
+    place.emplace(ids_[i], i);
   for (LocalIndex vertex = 0; vertex < mesh.vertices.owned; ++vertex) {
     const auto found = place.find(id(vertex));
     if (found != place.end()) owned_.push_back({vertex, found->second});
   }
   for (std::size_t cell = 0; cell < line.cell_ids.size(); ++cell)
-    segment_of_cell_.push_back(std::min(place.at(id(line.vertices[2 * cell])), place.at(id(line.vertices[2 * cell + 1]))));
+    segment_of_cell_.push_back(
+        std::min(place.at(id(line.vertices[2 * cell])), place.at(id(line.vertices[2 * cell + 1]))));
   const auto dimension = static_cast<std::size_t>(mesh.dimension);
   reference_.assign(ids_.size() * dimension, 0);
   for (const OwnedNode& node : owned_)
     for (std::size_t j = 0; j < dimension; ++j)
       reference_[node.place * dimension + j] =
           mesh.coordinates[static_cast<std::size_t>(node.vertex) * dimension + j];
-  MPI_Allreduce(MPI_IN_PLACE, reference_.data(), static_cast<int>(reference_.size()), MPI_DOUBLE, MPI_SUM,
-                mesh.communicator.mpi());
+  MPI_Allreduce(MPI_IN_PLACE, reference_.data(), static_cast<int>(reference_.size()), MPI_DOUBLE,
+                MPI_SUM, mesh.communicator.mpi());
   arc_length_.push_back(0);
   for (std::size_t i = 1; i < ids_.size(); ++i) {
     double squared = 0;
@@ -101,7 +109,8 @@ std::vector<double> LineGeometry::gather_cells(const std::vector<double>& values
   std::vector<double> result(ids_.size() - 1, 0);
   const Communicator& communicator = dofs_.mesh().communicator;
   for (std::size_t cell = 0; cell < values.size(); ++cell)
-    if (line_.cell_owners[cell] == communicator.rank()) result[segment_of_cell_[cell]] = values[cell];
+    if (line_.cell_owners[cell] == communicator.rank())
+      result[segment_of_cell_[cell]] = values[cell];
   MPI_Allreduce(MPI_IN_PLACE, result.data(), static_cast<int>(result.size()), MPI_DOUBLE, MPI_SUM,
                 communicator.mpi());
   return result;
@@ -109,7 +118,8 @@ std::vector<double> LineGeometry::gather_cells(const std::vector<double>& values
 
 std::vector<double> LineGeometry::positions(const State& state) const {
   std::vector<double> result = gather("displacement", state);
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] += reference_[i];
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] += reference_[i];
   return result;
 }
 

@@ -11,13 +11,15 @@ namespace hawser {
 
 void load_plugin(const std::string& name, const std::string& folder, ModuleRegistry& registry) {
   if (name.find('/') != std::string::npos || name.find("..") != std::string::npos)
-    throw PluginError("plug-in '" + name + "': give the bare name; plug-ins are loaded from " + folder + " only");
+    throw PluginError("plug-in '" + name + "': give the bare name; plug-ins are loaded from " +
+                      folder + " only");
   const std::string path = folder + "/" + name + ".so";
   if (!std::filesystem::exists(path))
     throw PluginError("plug-in '" + name + "' not found: there is no " + path);
   // Symbols stay local: two plug-ins may use the same names. Never closed: modules live in it.
   void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) throw PluginError("plug-in '" + name + "' cannot be loaded: " + dlerror());
+  if (library == nullptr)
+    throw PluginError("plug-in '" + name + "' cannot be loaded: " + dlerror());
   using Stamp = const char* (*)();
   using Register = void (*)(ModuleRegistry&);
   const auto stamp = reinterpret_cast<Stamp>(dlsym(library, "hawser_plugin_stamp"));
@@ -33,7 +35,8 @@ void load_plugin(const std::string& name, const std::string& folder, ModuleRegis
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    throw PluginError("plug-in '" + name + "' failed while it registered its modules: " + error.what());
+    throw PluginError("plug-in '" + name +
+                      "' failed while it registered its modules: " + error.what());
   }
 }
 

@@ -1,8 +1,8 @@
 #include "src/progress.hpp"
 
-#include <cstdio>
-
 #include <fmt/format.h>
+
+#include <cstdio>
 
 namespace hawser {
 namespace {
@@ -29,15 +29,17 @@ void Progress::start(const System& system, const RunDeck& deck, const std::strin
   start_ = std::chrono::steady_clock::now();
   if (!prints_) return;
   if (!deck.title.empty()) line(deck.title);
-  line(fmt::format("{} nodes, {} unknowns, {} rank(s); modules: {}", system.mesh.vertices.global_count,
-                   system.dofs->global_count(), system.mesh.communicator.size(), modules));
+  line(fmt::format("{} nodes, {} unknowns, {} rank(s); modules: {}",
+                   system.mesh.vertices.global_count, system.dofs->global_count(),
+                   system.mesh.communicator.size(), modules));
 }
 
 void Progress::solved(const NonlinearReport& report) {
   if (!prints_ || report.history.empty()) return;
   norms_.clear();
   for (const BlockNorm& norm : report.history.back())
-    norms_ += fmt::format(" {}.{} {:.0e} {}", short_name(norm.block), short_name(norm.field), norm.residual, norm.unit);
+    norms_ += fmt::format(" {}.{} {:.0e} {}", short_name(norm.block), short_name(norm.field),
+                          norm.residual, norm.unit);
 }
 
 void Progress::rejected(double time, double length, const std::string& why) const {
@@ -49,10 +51,11 @@ void Progress::stepped(const StepFigures& figures, double end) {
   if (!prints_) return;
   const double wall = elapsed();
   const double left = wall * (end - figures.time) / (figures.time - first_time_);
-  line(fmt::format("step {:4d}  t {:7g} s  dt {:g} s  Newton {} linear {:3d}  residual{}  quality {:.2f}  "
-                   "Courant {:.2f}  wall {:.1f} s  left {:.0f} s",
-                   figures.step, figures.time, figures.length, figures.newton_iterations, figures.linear_iterations,
-                   norms_, figures.mesh_quality, figures.courant, wall, left));
+  line(fmt::format(
+      "step {:4d}  t {:7g} s  dt {:g} s  Newton {} linear {:3d}  residual{}  quality {:.2f}  "
+      "Courant {:.2f}  wall {:.1f} s  left {:.0f} s",
+      figures.step, figures.time, figures.length, figures.newton_iterations,
+      figures.linear_iterations, norms_, figures.mesh_quality, figures.courant, wall, left));
 }
 
 void Progress::finish(const System& system, const RunDeck& deck, const Summary& summary,
@@ -62,10 +65,12 @@ void Progress::finish(const System& system, const RunDeck& deck, const Summary& 
   if (prints_ && system.tow) {
     line("");
     line(fmt::format("{:<28}{:>14}{:>22}", "", "this run", "exact straight cable"));
-    line(fmt::format("{:<28}{:>12.2f} m{:>20.2f} m", "end error", number("end_error_m"), number("end_error_exact_m")));
-    line(fmt::format("{:<28}{:>12.2f} m{:>20.2f} m", "total error (along cable)", number("total_error_arc_m"),
-                     number("total_error_exact_m")));
-    line(fmt::format("{:<28}{:>10.0f} N/m{:>22}", "tow force, per m of depth", number("tow_force_n_per_m"), "-"));
+    line(fmt::format("{:<28}{:>12.2f} m{:>20.2f} m", "end error", number("end_error_m"),
+                     number("end_error_exact_m")));
+    line(fmt::format("{:<28}{:>12.2f} m{:>20.2f} m", "total error (along cable)",
+                     number("total_error_arc_m"), number("total_error_exact_m")));
+    line(fmt::format("{:<28}{:>10.0f} N/m{:>22}", "tow force, per m of depth",
+                     number("tow_force_n_per_m"), "-"));
   }
   if (prints_ && !system.tow)
     for (const ForceReport& force : system.forces)
@@ -76,8 +81,9 @@ void Progress::finish(const System& system, const RunDeck& deck, const Summary& 
     const auto got = summary.number(expect.quantity.value);
     const bool holds = got && std::abs(*got - expect.value) <= expect.within;
     if (holds && !prints_) continue;
-    line(fmt::format("{}: expected {} = {:g} +- {:g} ({}); got {}{}", expect.quantity.location.text(),
-                     expect.quantity.value, expect.value, expect.within, expect.why,
+    line(fmt::format("{}: expected {} = {:g} +- {:g} ({}); got {}{}",
+                     expect.quantity.location.text(), expect.quantity.value, expect.value,
+                     expect.within, expect.why,
                      got ? fmt::format("{:g}", *got) : "nothing: the run reports no such quantity",
                      holds ? ": holds" : ": FAILS"));
   }

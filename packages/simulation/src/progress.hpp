@@ -17,7 +17,8 @@ class Progress {
   void solved(const NonlinearReport& report);
   void rejected(double time, double length, const std::string& why) const;
   void stepped(const StepFigures& figures, double end);
-  void finish(const System& system, const RunDeck& deck, const Summary& summary, const std::string& folder) const;
+  void finish(const System& system, const RunDeck& deck, const Summary& summary,
+              const std::string& folder) const;
 
   double elapsed() const;  ///< s of wall time since start()
 

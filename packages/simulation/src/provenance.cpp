@@ -1,10 +1,9 @@
 #include "src/provenance.hpp"
 
+#include <Trilinos_version.h>
 #include <unistd.h>
 
 #include <ctime>
-
-#include <Trilinos_version.h>
 
 namespace hawser {
 

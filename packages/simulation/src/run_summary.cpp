@@ -73,7 +73,8 @@ Summary RunSummary::summary(const System& system, const RunDeck& deck) const {
   result.set("steps", steps_);
   result.set("steps_rejected", rejected_);
   result.set("newton_iterations", newton_);
-  result.set("newton_iterations_mean", steps_ > 0 ? static_cast<double>(newton_) / static_cast<double>(steps_) : 0);
+  result.set("newton_iterations_mean",
+             steps_ > 0 ? static_cast<double>(newton_) / static_cast<double>(steps_) : 0);
   result.set("linear_iterations", linear_);
   result.set("linear_iterations_mean",
              newton_ > 0 ? static_cast<double>(linear_) / static_cast<double>(newton_) : 0);

@@ -28,8 +28,8 @@ class RunSummary {
   std::vector<std::pair<double, double>> end_errors_;  // time, error; of this run's steps
 };
 
-/// Adds "expectations" to the summary: how many hold, and each that does not. A quantity that the run does
-/// not report fails, too.
+/// Adds "expectations" to the summary: how many hold, and each that does not. A quantity that the
+/// run does not report fails, too.
 void check_expectations(const RunDeck& deck, Summary& summary);
 
 }  // namespace hawser

@@ -1,10 +1,10 @@
 #include "hawser/simulation/simulation.hpp"
 
+#include <Tpetra_Vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-
-#include <Tpetra_Vector.hpp>
 
 #include "hawser/base/error.hpp"
 #include "hawser/output/result_folder.hpp"
@@ -67,15 +67,17 @@ struct Simulation::Implementation {
       modules.back().location = node.location;
     }
     if (modules.empty() && diagnostics.ok())
-      diagnostics.error(deck_text.root.location, "the deck has no physics module; there are " + listed(registry.tags()));
+      diagnostics.error(deck_text.root.location,
+                        "the deck has no physics module; there are " + listed(registry.tags()));
     diagnostics.throw_if_any();
   }
 
   std::string resolved() const {
-    return hawser::resolved_deck(deck_text.root, RunDeck::spec().node_spec(), [&](const std::string& tag) {
-      const ModuleRegistry::Entry* const entry = registry.find(tag);
-      return entry == nullptr ? nullptr : &entry->spec;
-    });
+    return hawser::resolved_deck(deck_text.root, RunDeck::spec().node_spec(),
+                                 [&](const std::string& tag) {
+                                   const ModuleRegistry::Entry* const entry = registry.find(tag);
+                                   return entry == nullptr ? nullptr : &entry->spec;
+                                 });
   }
 
   // A restarted run uses the very mesh of the run that it continues.
@@ -83,11 +85,14 @@ struct Simulation::Implementation {
     if (checkpoint) return checkpoint->header().texts.at("mesh");
     if (deck.mesh.file) {
       const std::filesystem::path name = deck.mesh.file->name;
-      return name.is_absolute() ? name.string() : (std::filesystem::path(deck_text.file).parent_path() / name).string();
+      return name.is_absolute()
+                 ? name.string()
+                 : (std::filesystem::path(deck_text.file).parent_path() / name).string();
     }
     const std::string file = folder.file("mesh.msh");
-    progress->note(deck.mesh.tow_box ? generate_mesh(communicator, deck.mesh.tow_box->box(), file)
-                                     : generate_mesh(communicator, deck.mesh.water_box->box(), file));
+    progress->note(deck.mesh.tow_box
+                       ? generate_mesh(communicator, deck.mesh.tow_box->box(), file)
+                       : generate_mesh(communicator, deck.mesh.water_box->box(), file));
     return std::filesystem::absolute(file).string();
   }
 
@@ -107,15 +112,16 @@ struct Simulation::Implementation {
     }
     fields = std::make_unique<FieldOutput>(*system->assembler, system->tow.get(), folder.path(),
                                            checkpoint ? step : -1);
-    histories = std::make_unique<Histories>(communicator, folder.path(), system->tow.get(), system->forces,
-                                            system->probes, keep_until);
+    histories = std::make_unique<Histories>(communicator, folder.path(), system->tow.get(),
+                                            system->forces, system->probes, keep_until);
     folder.write("resolved.xml", resolved());
     progress->start(*system, deck, modules_text());
   }
 
   std::string modules_text() const {
     std::vector<std::string> names;
-    for (const PhysicsModule& module : system->modules) names.push_back(module.name);
+    for (const PhysicsModule& module : system->modules)
+      names.push_back(module.name);
     return listed(names);
   }
 
@@ -127,7 +133,8 @@ struct Simulation::Implementation {
     header.texts["deck"] = deck_text.text;
     header.texts["deck_file"] = deck_text.file;
     header.texts["mesh"] = mesh_path(folder);
-    save_history(*system->dofs, system->integrator->history(), header, folder.file(checkpoint_name));
+    save_history(*system->dofs, system->integrator->history(), header,
+                 folder.file(checkpoint_name));
     // A restarted run begins with a fresh factor; to be equal to it, this one must too.
     system->driver->linear_solver().drop_factor();
   }
@@ -168,9 +175,10 @@ struct Simulation::Implementation {
         if (!deck.time.steady && steps->rejected()) continue;
         if (!deck.time.steady) save_checkpoint(folder);
         throw SolveError(std::string(error.what()) +
-                         (deck.time.steady ? std::string()
-                                           : "; the least step was reached, the last accepted state is in " +
-                                                 folder.file(checkpoint_name)));
+                         (deck.time.steady
+                              ? std::string()
+                              : "; the least step was reached, the last accepted state is in " +
+                                    folder.file(checkpoint_name)));
       }
     }
   }
@@ -189,7 +197,8 @@ struct Simulation::Implementation {
     for (const Probe& probe : system->probes)
       for (int c = 0; c < probe.components; ++c)
         result.probes.push_back(communicator.sum(
-            probe.first_row < 0 ? 0.0 : state.value[static_cast<std::size_t>(probe.first_row + c)]));
+            probe.first_row < 0 ? 0.0
+                                : state.value[static_cast<std::size_t>(probe.first_row + c)]));
   }
 
   void write(const ResultFolder& folder, const StepFigures& result, bool last) {
@@ -241,20 +250,23 @@ Simulation::Simulation(std::unique_ptr<Implementation> implementation)
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 
-Simulation::Simulation(const Communicator& communicator, ModuleRegistry registry, const std::string& deck_file,
-                       const RunOptions& options)
-    : implementation_(std::make_unique<Implementation>(communicator, std::move(registry), options)) {
+Simulation::Simulation(const Communicator& communicator, ModuleRegistry registry,
+                       const std::string& deck_file, const RunOptions& options)
+    : implementation_(
+          std::make_unique<Implementation>(communicator, std::move(registry), options)) {
   Diagnostics diagnostics;
   implementation_->read(read_deck(communicator, deck_file, diagnostics), diagnostics);
 }
 
 Simulation Simulation::restart(const Communicator& communicator, ModuleRegistry registry,
                                const std::string& checkpoint, const RunOptions& options) {
-  auto implementation = std::make_unique<Implementation>(communicator, std::move(registry), options);
+  auto implementation =
+      std::make_unique<Implementation>(communicator, std::move(registry), options);
   implementation->checkpoint = std::make_unique<CheckpointReader>(communicator, checkpoint);
   const auto& texts = implementation->checkpoint->header().texts;
   Diagnostics diagnostics;
-  implementation->read(parse_deck(texts.at("deck"), texts.at("deck_file"), diagnostics), diagnostics);
+  implementation->read(parse_deck(texts.at("deck"), texts.at("deck_file"), diagnostics),
+                       diagnostics);
   return Simulation(std::move(implementation));
 }
 

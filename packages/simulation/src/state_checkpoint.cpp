@@ -10,8 +10,9 @@ struct Part {
   std::vector<double> TimeHistory::*values;
 };
 constexpr int part_count = 3;
-const Part parts[part_count] = {
-    {"value", &TimeHistory::value}, {"rate", &TimeHistory::rate}, {"quotient", &TimeHistory::quotient}};
+const Part parts[part_count] = {{"value", &TimeHistory::value},
+                                {"rate", &TimeHistory::rate},
+                                {"quotient", &TimeHistory::quotient}};
 
 const char* kind_name(PointKind kind) {
   switch (kind) {
@@ -48,7 +49,8 @@ void visit_arrays(const DofMap& dofs, LocalIndex end, Visit&& visit) {
       if (!dofs.mesh().communicator.any(!rows.empty())) continue;
       const FieldDescription& field = dofs.fields()[static_cast<std::size_t>(f)];
       for (const Part& part : parts)
-        visit(field.name + "-" + kind_name(kind) + "-" + part.name, part, rows, kind, field.components);
+        visit(field.name + "-" + kind_name(kind) + "-" + part.name, part, rows, kind,
+              field.components);
     }
 }
 
@@ -57,16 +59,18 @@ void visit_arrays(const DofMap& dofs, LocalIndex end, Visit&& visit) {
 void save_history(const DofMap& dofs, const TimeHistory& history, CheckpointHeader header,
                   const std::string& path) {
   std::vector<NamedArray> arrays;
-  visit_arrays(dofs, dofs.owned(), [&](const std::string& name, const Part& part,
-                                       const std::vector<LocalIndex>& rows, PointKind kind, int components) {
-    NamedArray array{name, components, point_count(dofs.mesh(), kind), {}, {}};
-    for (const LocalIndex row : rows) {
-      array.ids.push_back(dofs.point_id(row));
-      for (int c = 0; c < components; ++c)
-        array.values.push_back((history.*part.values)[static_cast<std::size_t>(row + c)]);
-    }
-    arrays.push_back(std::move(array));
-  });
+  visit_arrays(
+      dofs, dofs.owned(),
+      [&](const std::string& name, const Part& part, const std::vector<LocalIndex>& rows,
+          PointKind kind, int components) {
+        NamedArray array{name, components, point_count(dofs.mesh(), kind), {}, {}};
+        for (const LocalIndex row : rows) {
+          array.ids.push_back(dofs.point_id(row));
+          for (int c = 0; c < components; ++c)
+            array.values.push_back((history.*part.values)[static_cast<std::size_t>(row + c)]);
+        }
+        arrays.push_back(std::move(array));
+      });
   header.time = history.time;
   header.numbers["history_step_s"] = history.step;
   write_checkpoint(dofs.mesh().communicator, path, header, arrays);
@@ -76,20 +80,24 @@ TimeHistory load_history(const DofMap& dofs, const CheckpointReader& reader) {
   TimeHistory history;
   history.time = reader.header().time;
   history.step = reader.header().numbers.at("history_step_s");
-  for (const Part& part : parts) (history.*part.values).assign(static_cast<std::size_t>(dofs.rows()), 0);
-  visit_arrays(dofs, dofs.rows(), [&](const std::string& name, const Part& part,
-                                      const std::vector<LocalIndex>& rows, PointKind kind, int components) {
-    if (!reader.has(name) || reader.global_count(name) != point_count(dofs.mesh(), kind))
-      throw OutputError("the checkpoint does not fit this mesh and these modules: '" + name +
-                        "' is missing or of another size");
-    std::vector<GlobalIndex> ids;
-    for (const LocalIndex row : rows) ids.push_back(dofs.point_id(row));
-    const std::vector<double> values = reader.read(name, ids, components);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      for (int c = 0; c < components; ++c)
-        (history.*part.values)[static_cast<std::size_t>(rows[i] + c)] =
-            values[i * static_cast<std::size_t>(components) + static_cast<std::size_t>(c)];
-  });
+  for (const Part& part : parts)
+    (history.*part.values).assign(static_cast<std::size_t>(dofs.rows()), 0);
+  visit_arrays(
+      dofs, dofs.rows(),
+      [&](const std::string& name, const Part& part, const std::vector<LocalIndex>& rows,
+          PointKind kind, int components) {
+        if (!reader.has(name) || reader.global_count(name) != point_count(dofs.mesh(), kind))
+          throw OutputError("the checkpoint does not fit this mesh and these modules: '" + name +
+                            "' is missing or of another size");
+        std::vector<GlobalIndex> ids;
+        for (const LocalIndex row : rows)
+          ids.push_back(dofs.point_id(row));
+        const std::vector<double> values = reader.read(name, ids, components);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          for (int c = 0; c < components; ++c)
+            (history.*part.values)[static_cast<std::size_t>(rows[i] + c)] =
+                values[i * static_cast<std::size_t>(components) + static_cast<std::size_t>(c)];
+      });
   return history;
 }
 

@@ -10,16 +10,18 @@ namespace {
 
 std::string base_name(const std::string& region) { return region.substr(0, region.find('/')); }
 
-void check_regions(const Mesh& mesh, const std::vector<PhysicsModule>& modules, Diagnostics& diagnostics) {
+void check_regions(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
+                   Diagnostics& diagnostics) {
   for (const PhysicsModule& module : modules)
     for (const auto& kernel : module.kernels) {
       if (mesh.find(kernel->region()) != nullptr) continue;
       const std::string base = base_name(kernel->region());
       if (find_region(mesh, base, module.location, diagnostics) != nullptr)
-        diagnostics.error(module.location,
-                          kernel->region().find("/facets") != std::string::npos
-                              ? "region '" + base + "' is no line on the boundary of the body"
-                              : "region '" + base + "' is no line inside the body or of at least two segments");
+        diagnostics.error(
+            module.location,
+            kernel->region().find("/facets") != std::string::npos
+                ? "region '" + base + "' is no line on the boundary of the body"
+                : "region '" + base + "' is no line inside the body or of at least two segments");
     }
 }
 
@@ -29,9 +31,11 @@ Probe make_probe(const DofMap& dofs, const ProbeDeck& deck, Diagnostics& diagnos
   const int field = dofs.find(deck.field.value);
   if (field < 0) {
     std::vector<std::string> names;
-    for (const auto& there : dofs.fields()) names.push_back(there.name);
-    diagnostics.error(deck.field.location, "no module solves for a field '" + deck.field.value + "'; there are " +
-                                               listed(names) + did_you_mean(deck.field.value, names));
+    for (const auto& there : dofs.fields())
+      names.push_back(there.name);
+    diagnostics.error(deck.field.location, "no module solves for a field '" + deck.field.value +
+                                               "'; there are " + listed(names) +
+                                               did_you_mean(deck.field.value, names));
     return probe;
   }
   probe.unit = dofs.fields()[static_cast<std::size_t>(field)].unit;
@@ -55,16 +59,29 @@ void check_steady(const System& system, const RunDeck& deck) {
       free = free || prescribed[static_cast<std::size_t>(pair.displacement)] == 0;
   if (system.mesh.communicator.any(free))
     throw DeckError(
-        "a steady solve needs the displacement of every structure prescribed; use scheme=\"newmark\" and "
+        "a steady solve needs the displacement of every structure prescribed; use "
+        "scheme=\"newmark\" and "
         "let the structure settle");
 }
 
 }  // namespace
 
 std::unique_ptr<System> build_system(const Communicator& communicator, const RunDeck& deck,
-                                     std::vector<PhysicsModule> modules, const std::string& mesh_file) {
-  auto system = std::make_unique<System>(System{read_mesh(communicator, {mesh_file, deck.mesh.slits}),
-                                                std::move(modules), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}});
+                                     std::vector<PhysicsModule> modules,
+                                     const std::string& mesh_file) {
+  auto system =
+      std::make_unique<System>(System{read_mesh(communicator, {mesh_file, deck.mesh.slits}),
+                                      std::move(modules),
+                                      {},
+                                      {},
+                                      {},
+                                      {},
+                                      {},
+                                      {},
+                                      {},
+                                      {},
+                                      {},
+                                      {}});
   Diagnostics diagnostics;
   check_regions(system->mesh, system->modules, diagnostics);
   diagnostics.throw_if_any();
@@ -72,7 +89,8 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
   system->table = gather_fields(system->modules);
   system->dofs = std::make_unique<DofMap>(system->mesh, system->table.fields);
   system->assembler = std::make_unique<Assembler>(*system->dofs, system->modules);
-  system->conditions = std::make_unique<Conditions>(*system->assembler, deck.conditions, diagnostics);
+  system->conditions =
+      std::make_unique<Conditions>(*system->assembler, deck.conditions, diagnostics);
   if (deck.tow) system->tow = std::make_unique<TowReport>(*system->dofs, *deck.tow, diagnostics);
   for (const ForceDeck& force : deck.forces)
     system->forces.emplace_back(*system->assembler, system->modules, force, diagnostics);
@@ -80,14 +98,17 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
     system->probes.push_back(make_probe(*system->dofs, probe, diagnostics));
   diagnostics.throw_if_any();
 
-  system->integrator = std::make_unique<TimeIntegrator>(*system->assembler, system->table.rate_rules, deck.time);
-  system->problem =
-      std::make_unique<CoupledProblem>(*system->assembler, *system->integrator, *system->conditions);
+  system->integrator =
+      std::make_unique<TimeIntegrator>(*system->assembler, system->table.rate_rules, deck.time);
+  system->problem = std::make_unique<CoupledProblem>(*system->assembler, *system->integrator,
+                                                     *system->conditions);
   system->conditions->set_initial(system->problem->state());
   system->integrator->start(system->problem->state());
   check_steady(*system, deck);
-  system->driver = std::make_unique<NonlinearDriver>(*system->problem, deck.solver.linear, deck.solver.newton);
-  system->driver->describe_row([dofs = system->dofs.get()](GlobalIndex row) { return describe_row(*dofs, row); });
+  system->driver =
+      std::make_unique<NonlinearDriver>(*system->problem, deck.solver.linear, deck.solver.newton);
+  system->driver->describe_row(
+      [dofs = system->dofs.get()](GlobalIndex row) { return describe_row(*dofs, row); });
   return system;
 }
 

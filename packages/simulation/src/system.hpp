@@ -1,5 +1,6 @@
 #pragma once
-// Mesh, fields, equations and solver of one run, built in the order in which they depend on each other.
+// Mesh, fields, equations and solver of one run, built in the order in which they depend on each
+// other.
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,7 +31,8 @@ struct System {
 
 /// Collective. MeshError, or DeckError with every name that the mesh or the modules do not know.
 std::unique_ptr<System> build_system(const Communicator& communicator, const RunDeck& deck,
-                                     std::vector<PhysicsModule> modules, const std::string& mesh_file);
+                                     std::vector<PhysicsModule> modules,
+                                     const std::string& mesh_file);
 
 /// "velocity y at (x, y) m" for error messages.
 std::string describe_row(const DofMap& dofs, GlobalIndex global_row);

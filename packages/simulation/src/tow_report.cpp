@@ -10,7 +10,9 @@ constexpr double degree = 3.14159265358979323846 / 180;
 }
 
 TowReport::TowReport(const DofMap& dofs, const TowDeck& deck, Diagnostics& diagnostics)
-    : dofs_(dofs), deck_(deck), axis_{std::sin(deck.angle * degree), std::cos(deck.angle * degree)} {
+    : dofs_(dofs),
+      deck_(deck),
+      axis_{std::sin(deck.angle * degree), std::cos(deck.angle * degree)} {
   const Region* const cable = find_region(dofs.mesh(), deck.cable, diagnostics);
   const Region* const tow_point = find_region(dofs.mesh(), deck.tow_point, diagnostics);
   if (cable != nullptr && tow_point != nullptr)
@@ -49,7 +51,8 @@ TowMeasures TowReport::measure(const State& state, const std::vector<double>& re
   for (const auto& node : line_->owned())
     if (node.place == 0)
       for (int j = 0; j < 2; ++j)
-        force[j] = reactions[static_cast<std::size_t>(dofs_.first_row(velocity, PointKind::vertex, node.vertex) + j)];
+        force[j] = reactions[static_cast<std::size_t>(
+            dofs_.first_row(velocity, PointKind::vertex, node.vertex) + j)];
   MPI_Allreduce(MPI_IN_PLACE, force, 2, MPI_DOUBLE, MPI_SUM, dofs_.mesh().communicator.mpi());
   result.force = std::hypot(force[0], force[1]);
   result.force_along = force[0] * axis_[0] + force[1] * axis_[1];

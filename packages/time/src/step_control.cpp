@@ -13,7 +13,9 @@ StepControl::StepControl(const StepOptions& options, std::vector<double> events)
   std::sort(events_.begin(), events_.end());
 }
 
-bool StepControl::finished(double time) const { return time >= options_.end - slack * options_.step; }
+bool StepControl::finished(double time) const {
+  return time >= options_.end - slack * options_.step;
+}
 
 double StepControl::next(double time) const {
   const auto event = std::upper_bound(events_.begin(), events_.end(), time + slack * step_);

@@ -75,7 +75,8 @@ void TimeIntegrator::update_rates(State& state) const {
 void TimeIntegrator::accept(const State& state) {
   for (std::size_t row = 0; row < rule_.size(); ++row)
     if (rule_[row] == RateRule::quotient)
-      history_.quotient[row] = scheme_.steady ? 0 : (state.value[row] - history_.value[row]) / step_;
+      history_.quotient[row] =
+          scheme_.steady ? 0 : (state.value[row] - history_.value[row]) / step_;
   history_.time = state.time;
   history_.step = step_;
   history_.value = state.value;

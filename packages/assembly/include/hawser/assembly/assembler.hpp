@@ -30,9 +30,9 @@ class Assembler {
 
   static constexpr int all_modules = -1;
 
-  /// total[owned row] = sum of the kernels' contributions, before any condition; magnitude = sum of their
-  /// absolute values. With a module's index: what that module alone adds, also to rows it does not govern.
-  /// SolveError on all ranks when a cell is inverted or a contribution not finite.
+  /// total[owned row] = sum of the kernels' contributions, before any condition; magnitude = sum of
+  /// their absolute values. With a module's index: what that module alone adds, also to rows it
+  /// does not govern. SolveError on all ranks when a cell is inverted or a contribution not finite.
   void residual(const State& state, std::vector<double>& total, std::vector<double>& magnitude,
                 int module = all_modules) const;
 

@@ -11,9 +11,9 @@ namespace hawser {
 
 /// The rows of one field in one named block, e.g. block "fluid", field "velocity", residual in N.
 struct Block {
-  std::string name;   ///< fluid, structure, mesh, or a plug-in's own
-  std::string field;  ///< velocity, pressure, displacement, ...
-  std::string unit;   ///< unit of the residual's entries
+  std::string name;              ///< fluid, structure, mesh, or a plug-in's own
+  std::string field;             ///< velocity, pressure, displacement, ...
+  std::string unit;              ///< unit of the residual's entries
   std::vector<LocalIndex> rows;  ///< owned local rows, ascending
 };
 
@@ -21,8 +21,8 @@ struct BlockSystem {
   Communicator communicator;
   Teuchos::RCP<const TpetraMap> rows;     ///< owned unknowns; also domain and range map
   Teuchos::RCP<const TpetraMap> columns;  ///< owned, then ghost unknowns
-  Teuchos::RCP<TpetraMatrix> matrix;      ///< fill-complete, fixed graph; values rewritten per Jacobian
-  std::vector<Block> blocks;              ///< disjoint, together all owned rows
+  Teuchos::RCP<TpetraMatrix> matrix;  ///< fill-complete, fixed graph; values rewritten per Jacobian
+  std::vector<Block> blocks;          ///< disjoint, together all owned rows
 };
 
 }  // namespace hawser

@@ -1,6 +1,6 @@
 #pragma once
-// Who may write a row. Precedence: structure kinematics over a governing module over modules that add;
-// conditions come on top and are applied after assembly.
+// Who may write a row. Precedence: structure kinematics over a governing module over modules that
+// add; conditions come on top and are applied after assembly.
 #include <string>
 #include <vector>
 
@@ -13,8 +13,8 @@ struct Governance {
   static constexpr int shared = -1;     ///< contributions of all modules add up
   static constexpr int kinematic = -2;  ///< the time scheme's relation of displacement to velocity
 
-  std::vector<int> governor;       ///< per owned row: shared, kinematic or the index of a module
-  std::vector<int> block_of_row;   ///< per owned row: index of the module whose block it belongs to
+  std::vector<int> governor;      ///< per owned row: shared, kinematic or the index of a module
+  std::vector<int> block_of_row;  ///< per owned row: index of the module whose block it belongs to
 };
 
 /// DeckError naming both modules when two of equal rank govern the same row. Collective.

@@ -11,9 +11,10 @@ class NonlinearProblem {
   virtual ~NonlinearProblem() = default;
   virtual BlockSystem& system() = 0;
 
-  /// f = residual at x, both on system().rows; `magnitude` (same size) receives, per row, the sum of the
-  /// absolute contributions that cancel in f: the scale against which |f| is judged.
-  /// Collective. SolveError on all ranks when the state is not admissible (det F <= 0, a value not finite).
+  /// f = residual at x, both on system().rows; `magnitude` (same size) receives, per row, the sum
+  /// of the absolute contributions that cancel in f: the scale against which |f| is judged.
+  /// Collective. SolveError on all ranks when the state is not admissible (det F <= 0, a value not
+  /// finite).
   virtual void residual(const TpetraVector& x, TpetraVector& f, TpetraVector& magnitude) = 0;
 
   /// Fills system().matrix with the exact derivative of the residual at x. Same errors.

@@ -11,13 +11,15 @@ enum class Basis {
 
 /// Shape functions on the reference cell at the points of one quadrature rule.
 struct Tabulation {
-  int points = 0;     ///< quadrature points
-  int nodes = 0;      ///< shape functions
-  int dimension = 0;  ///< of the reference cell
-  std::vector<double> weights;    ///< [point]; they sum to the reference cell's measure
-  std::vector<double> locations;  ///< [point][dimension], reference-cell coordinates in the unit simplex
-  std::vector<double> values;     ///< [point][node]
-  std::vector<double> gradients;  ///< [point][node][dimension], with respect to reference-cell coordinates
+  int points = 0;               ///< quadrature points
+  int nodes = 0;                ///< shape functions
+  int dimension = 0;            ///< of the reference cell
+  std::vector<double> weights;  ///< [point]; they sum to the reference cell's measure
+  std::vector<double>
+      locations;  ///< [point][dimension], reference-cell coordinates in the unit simplex
+  std::vector<double> values;  ///< [point][node]
+  std::vector<double>
+      gradients;  ///< [point][node][dimension], with respect to reference-cell coordinates
 };
 
 }  // namespace hawser

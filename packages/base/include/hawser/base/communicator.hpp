@@ -27,8 +27,8 @@ class Communicator {
   /// Runs `work` on rank 0 only. An Error thrown there is thrown on every rank, same type and text.
   void on_root(const std::function<void()>& work) const;
 
-  /// Runs `work` on every rank. If it throws an Error anywhere, the Error of the lowest such rank is
-  /// thrown on all ranks. `work` must not communicate.
+  /// Runs `work` on every rank. If it throws an Error anywhere, the Error of the lowest such rank
+  /// is thrown on all ranks. `work` must not communicate.
   void together(const std::function<void()>& work) const;
 
  private:

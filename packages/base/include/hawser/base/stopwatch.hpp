@@ -3,8 +3,8 @@
 
 namespace hawser {
 
-/// Adds up the wall time of a phase that is entered many times. For reports only: no decision of a run
-/// may rest on it.
+/// Adds up the wall time of a phase that is entered many times. For reports only: no decision of a
+/// run may rest on it.
 class Stopwatch {
  public:
   class Lap {

@@ -1,8 +1,8 @@
 #pragma once
 // From a field and a point of the mesh to a row of the global system.
 //
-// A rank's local rows are the owned ones (in vertex order, all fields of a vertex together), then ghosts.
-// Global rows are contiguous per rank.
+// A rank's local rows are the owned ones (in vertex order, all fields of a vertex together), then
+// ghosts. Global rows are contiguous per rank.
 #include <string>
 #include <vector>
 
@@ -17,8 +17,8 @@ struct FieldDescription {
   std::string residual_unit;
   int components = 1;
   Basis basis = Basis::p1;
-  bool split = false;                 ///< lives on split vertices: doubled across slit lines
-  std::vector<std::string> regions{}; ///< the field lives on their union
+  bool split = false;                  ///< lives on split vertices: doubled across slit lines
+  std::vector<std::string> regions{};  ///< the field lives on their union
 };
 
 enum class PointKind { vertex, split_vertex, edge };

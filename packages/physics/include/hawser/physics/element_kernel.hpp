@@ -1,10 +1,10 @@
 #pragma once
 // A line, boundary or structural term, written per element in its nodal unknowns.
+#include <Sacado.hpp>
+
 #include <array>
 #include <cmath>
 #include <utility>
-
-#include <Sacado.hpp>
 
 #include "hawser/physics/kernel.hpp"
 
@@ -12,7 +12,8 @@ namespace hawser {
 
 /// Derived has:  static constexpr int dimension, nodes;
 ///               static constexpr std::array<FieldUse, n> uses;   (all fields have `nodes` nodes)
-///               template <class Element, class T> void element_residual(const Element& at, T* out) const;
+///               template <class Element, class T> void element_residual(const Element& at, T* out)
+///               const;
 /// `out` is zeroed and ordered like the cell's unknowns: out[at.index(field, node, component)].
 template <class Derived>
 class ElementKernel : public Kernel {
@@ -48,11 +49,13 @@ class ElementKernel : public Kernel {
             at.nodal(i, &FieldOnCell::rate_partner);
     }
     T out[n];
-    for (int i = 0; i < n; ++i) out[i] = 0.0;
+    for (int i = 0; i < n; ++i)
+      out[i] = 0.0;
     static_cast<const Derived&>(*this).element_residual(at, out);
     for (int i = 0; i < n; ++i) {
       residual[i] = out[i].val();
-      for (int j = 0; j < n; ++j) tangent[i * n + j] = out[i].dx(j);
+      for (int j = 0; j < n; ++j)
+        tangent[i * n + j] = out[i].dx(j);
     }
     return status(residual);
   }
@@ -74,19 +77,25 @@ class ElementKernel : public Kernel {
     T rates[unknowns()];
 
     static constexpr int index(int field, int node, int component) {
-      return first(field) + node * Derived::uses[static_cast<std::size_t>(field)].components + component;
+      return first(field) + node * Derived::uses[static_cast<std::size_t>(field)].components +
+             component;
     }
     static constexpr int field_of(int unknown) {
       int f = 0;
-      while (unknown >= first(f + 1)) ++f;
+      while (unknown >= first(f + 1))
+        ++f;
       return f;
     }
     double nodal(int unknown, const double* FieldOnCell::*array) const {
       const int f = field_of(unknown);
       return (cell->fields[f].*array)[unknown - first(f)];
     }
-    const T& value(int field, int node, int component) const { return values[index(field, node, component)]; }
-    const T& rate(int field, int node, int component) const { return rates[index(field, node, component)]; }
+    const T& value(int field, int node, int component) const {
+      return values[index(field, node, component)];
+    }
+    const T& rate(int field, int node, int component) const {
+      return rates[index(field, node, component)];
+    }
     /// Reference coordinate, m.
     double coordinate(int node, int component) const {
       return cell->coordinates[node * Derived::dimension + component];
@@ -95,7 +104,8 @@ class ElementKernel : public Kernel {
 
   static CellStatus status(const double* residual) {
     double sum = 0;
-    for (int i = 0; i < unknowns(); ++i) sum += residual[i];
+    for (int i = 0; i < unknowns(); ++i)
+      sum += residual[i];
     return std::isfinite(sum) ? CellStatus::ok : CellStatus::not_finite;
   }
 

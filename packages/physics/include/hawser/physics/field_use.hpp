@@ -1,6 +1,6 @@
 #pragma once
-// What a module declares about the fields it touches. Block structure, sparsity and the off-diagonal
-// Jacobian blocks follow from these declarations.
+// What a module declares about the fields it touches. Block structure, sparsity and the
+// off-diagonal Jacobian blocks follow from these declarations.
 #include "hawser/base/basis.hpp"
 
 namespace hawser {
@@ -8,14 +8,17 @@ namespace hawser {
 enum class Role {
   reads,     ///< enters the residual of other fields only
   adds,      ///< contributes to the field's rows; contributions of several modules add up
-  governs,   ///< the field's rows are this module's alone, unless a structure or a condition takes them
-  kinematic  ///< a structure's displacement: its rows are the time scheme's relation to the velocity
+  governs,   ///< the field's rows are this module's alone, unless a structure or a condition takes
+             ///< them
+  kinematic  ///< a structure's displacement: its rows are the time scheme's relation to the
+             ///< velocity
 };
 
 enum class RateRule {
-  none,      ///< the field has no rate
-  dynamic,   ///< the time scheme's rate of a first-order unknown (velocity, temperature)
-  quotient   ///< a moving geometry: second-order difference quotient; on structures the velocity itself
+  none,     ///< the field has no rate
+  dynamic,  ///< the time scheme's rate of a first-order unknown (velocity, temperature)
+  quotient  ///< a moving geometry: second-order difference quotient; on structures the velocity
+            ///< itself
 };
 
 namespace need {

@@ -1,8 +1,8 @@
 #pragma once
 // The residual of one module on the cells of one region, and its exact derivative.
 //
-// A cell's unknowns are ordered field by field (in the order of fields()), then node by node, then by
-// component. All arrays are plain; one virtual call per cell, none per quadrature point.
+// A cell's unknowns are ordered field by field (in the order of fields()), then node by node, then
+// by component. All arrays are plain; one virtual call per cell, none per quadrature point.
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,9 +16,10 @@ namespace hawser {
 struct FieldOnCell {
   const double* value;
   const double* rate;
-  const double* accepted;      ///< value at the last accepted step
-  const double* rate_slope;    ///< d rate / d value at the same node and component
-  const double* rate_partner;  ///< d rate / d velocity at the same node and component (structures: 1)
+  const double* accepted;    ///< value at the last accepted step
+  const double* rate_slope;  ///< d rate / d value at the same node and component
+  const double*
+      rate_partner;  ///< d rate / d velocity at the same node and component (structures: 1)
 };
 
 struct CellInput {
@@ -44,7 +45,8 @@ class Kernel {
 
   const std::string& region() const { return region_; }
   const std::vector<FieldUse>& fields() const { return fields_; }
-  /// Index in fields() of the velocity that a structure's displacement rate equals; -1 when not used.
+  /// Index in fields() of the velocity that a structure's displacement rate equals; -1 when not
+  /// used.
   int rate_partner() const;
 
   /// Called once, with the tabulated shapes of every field, before the first residual.
@@ -53,12 +55,14 @@ class Kernel {
   /// residual[n]; n is the number of the cell's unknowns. Overwrites.
   virtual CellStatus residual(const CellInput& cell, double* residual) const = 0;
 
-  /// Also the tangent [n][n], row by row, d residual_i / d unknown_j with all rates following their values.
-  /// Only columns of fields whose bit is set in `columns` are needed; others may be left zero. Overwrites.
+  /// Also the tangent [n][n], row by row, d residual_i / d unknown_j with all rates following their
+  /// values. Only columns of fields whose bit is set in `columns` are needed; others may be left
+  /// zero. Overwrites.
   virtual CellStatus tangent(const CellInput& cell, unsigned columns, double* residual,
                              double* tangent) const = 0;
 
-  /// What else the cell can tell for output, such as a tension; evaluate() gives one value for each.
+  /// What else the cell can tell for output, such as a tension; evaluate() gives one value for
+  /// each.
   struct Quantity {
     std::string name;
     std::string unit;
@@ -74,7 +78,8 @@ class Kernel {
   std::vector<FieldUse> fields_;
 };
 
-/// A module as the rest of the program sees it: its kernels, and the named block its rows belong to.
+/// A module as the rest of the program sees it: its kernels, and the named block its rows belong
+/// to.
 struct PhysicsModule {
   std::string name;
   std::string block;  ///< fluid, structure, mesh or a name of its own

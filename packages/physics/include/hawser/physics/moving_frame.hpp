@@ -11,12 +11,14 @@ struct MovingFrame {
 
   explicit MovingFrame(const Tensor<T, D>& displacement_gradient) {
     Tensor<T, D> F = displacement_gradient;
-    for (int i = 0; i < D; ++i) F(i, i) += 1.0;
+    for (int i = 0; i < D; ++i)
+      F(i, i) += 1.0;
     volume = determinant(F);
     inverse = adjugate(F);
     const T scale = 1.0 / volume;
     for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) inverse(i, j) *= scale;
+      for (int j = 0; j < D; ++j)
+        inverse(i, j) *= scale;
   }
 
   bool inverted() const { return !(volume > 0.0); }
@@ -31,14 +33,16 @@ struct MovingFrame {
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) {
         T sum = flux(i, 0) * inverse(j, 0);
-        for (int k = 1; k < D; ++k) sum += flux(i, k) * inverse(j, k);
+        for (int k = 1; k < D; ++k)
+          sum += flux(i, k) * inverse(j, k);
         result(i, j) = volume * sum;
       }
     return result;
   }
   Vector<T, D> pull_back(const Vector<T, D>& flux) const {
     Vector<T, D> result = multiply(inverse, flux);
-    for (int i = 0; i < D; ++i) result[i] *= volume;
+    for (int i = 0; i < D; ++i)
+      result[i] *= volume;
     return result;
   }
 };

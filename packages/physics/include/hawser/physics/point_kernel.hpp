@@ -3,22 +3,23 @@
 //
 // The author gives, per field, a source s and a flux f; the residual is
 //     R(w) = integral over the reference cell of  s . w + f : grad w .
-// The derivative is taken with respect to the values, rates and gradients at the *point* (Sacado, fixed
-// size), then contracted with the tabulated shapes: the number of directions does not grow with the order
-// of the elements.
+// The derivative is taken with respect to the values, rates and gradients at the *point* (Sacado,
+// fixed size), then contracted with the tabulated shapes: the number of directions does not grow
+// with the order of the elements.
+#include <Sacado.hpp>
+
 #include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
-
-#include <Sacado.hpp>
 
 #include "hawser/physics/kernel.hpp"
 #include "hawser/physics/tensor.hpp"
 
 namespace hawser {
 
-/// Names a field inside a kernel: `static constexpr Slot<0> temperature;` then `at[temperature].value`.
+/// Names a field inside a kernel: `static constexpr Slot<0> temperature;` then
+/// `at[temperature].value`.
 template <int I>
 using Slot = std::integral_constant<int, I>;
 
@@ -40,9 +41,11 @@ struct PointTypes<T, 1, D> {
 template <class T, int C, int D>
 struct FieldAtPoint {
   typename detail::PointTypes<T, C, D>::Value value{};
-  typename detail::PointTypes<T, C, D>::Value rate{};         ///< d/dt at fixed reference point
-  typename detail::PointTypes<T, C, D>::Gradient gradient{};  ///< with respect to reference coordinates
-  typename detail::PointTypes<double, C, D>::Gradient accepted_gradient{};  ///< at the last accepted step
+  typename detail::PointTypes<T, C, D>::Value rate{};  ///< d/dt at fixed reference point
+  typename detail::PointTypes<T, C, D>::Gradient
+      gradient{};  ///< with respect to reference coordinates
+  typename detail::PointTypes<double, C, D>::Gradient
+      accepted_gradient{};  ///< at the last accepted step
 };
 
 template <class T, int C, int D>
@@ -53,7 +56,8 @@ struct FormAtPoint {
 
 /// Derived has:  static constexpr int dimension;
 ///               static constexpr std::array<FieldUse, n> uses;
-///               template <class Point, class Form> void weak_form(const Point& at, Form& out) const;
+///               template <class Point, class Form> void weak_form(const Point& at, Form& out)
+///               const;
 /// `typename Point::Number` is the number type; set out.inverted when det F <= 0.
 template <class Derived>
 class PointKernel : public Kernel {
@@ -74,14 +78,17 @@ class PointKernel : public Kernel {
     return evaluate<Sacado::Fad::SFad<double, directions()>>(cell, columns, residual, tangent);
   }
 
-  /// Derivative directions of one field: its value, rate and gradient, as far as they are looked at.
+  /// Derivative directions of one field: its value, rate and gradient, as far as they are looked
+  /// at.
   static constexpr int directions(const FieldUse& use) {
-    return use.components * (((use.needs & need::value) != 0 ? 1 : 0) + ((use.needs & need::rate) != 0 ? 1 : 0) +
-                             ((use.needs & need::gradient) != 0 ? Derived::dimension : 0));
+    return use.components *
+           (((use.needs & need::value) != 0 ? 1 : 0) + ((use.needs & need::rate) != 0 ? 1 : 0) +
+            ((use.needs & need::gradient) != 0 ? Derived::dimension : 0));
   }
   static constexpr int directions() {
     int sum = 0;
-    for (const FieldUse& use : Derived::uses) sum += directions(use);
+    for (const FieldUse& use : Derived::uses)
+      sum += directions(use);
     return sum;
   }
 
@@ -95,10 +102,13 @@ class PointKernel : public Kernel {
     std::tuple<FieldAtPoint<T, Derived::uses[I].components, Derived::dimension>...> fields;
     double time = 0;
     double step = 0;
-    Vector<double, Derived::dimension> position;          ///< reference coordinates, m
-    Tensor<double, Derived::dimension> inverse_jacobian;  ///< (k, j) = d xi_k / d X_j of the cell, 1/m
+    Vector<double, Derived::dimension> position;  ///< reference coordinates, m
+    Tensor<double, Derived::dimension>
+        inverse_jacobian;  ///< (k, j) = d xi_k / d X_j of the cell, 1/m
     template <int S>
-    const auto& operator[](Slot<S>) const { return std::get<S>(fields); }
+    const auto& operator[](Slot<S>) const {
+      return std::get<S>(fields);
+    }
   };
   template <class T, class Index>
   struct FormOf;
@@ -107,11 +117,14 @@ class PointKernel : public Kernel {
     std::tuple<FormAtPoint<T, Derived::uses[I].components, Derived::dimension>...> fields;
     bool inverted = false;
     template <int S>
-    auto& operator[](Slot<S>) { return std::get<S>(fields); }
+    auto& operator[](Slot<S>) {
+      return std::get<S>(fields);
+    }
   };
 
   template <class T>
-  CellStatus evaluate(const CellInput& cell, unsigned columns, double* residual, double* tangent) const;
+  CellStatus evaluate(const CellInput& cell, unsigned columns, double* residual,
+                      double* tangent) const;
 
   std::vector<Tabulation> shapes_;  // per field
   int partner_ = -1;

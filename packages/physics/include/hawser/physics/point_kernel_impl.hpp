@@ -8,13 +8,21 @@ constexpr int max_nodes = 10;     // quadratic tetrahedron
 constexpr int max_unknowns = 96;  // of one cell
 
 template <class T>
-T& entry(T& scalar, int /*component*/) { return scalar; }
+T& entry(T& scalar, int /*component*/) {
+  return scalar;
+}
 template <class T, int D>
-T& entry(Vector<T, D>& vector, int component) { return vector[component]; }
+T& entry(Vector<T, D>& vector, int component) {
+  return vector[component];
+}
 template <class T, int D>
-T& gradient_entry(Vector<T, D>& gradient, int /*component*/, int k) { return gradient[k]; }
+T& gradient_entry(Vector<T, D>& gradient, int /*component*/, int k) {
+  return gradient[k];
+}
 template <class T, int D>
-T& gradient_entry(Tensor<T, D>& gradient, int component, int k) { return gradient(component, k); }
+T& gradient_entry(Tensor<T, D>& gradient, int component, int k) {
+  return gradient(component, k);
+}
 
 template <class T>
 struct Number {
@@ -37,7 +45,8 @@ double invert_affine(const double* coordinates, Tensor<double, D>& inverse) {
   const double det = determinant(jacobian);
   inverse = adjugate(jacobian);
   for (int k = 0; k < D; ++k)
-    for (int j = 0; j < D; ++j) inverse(k, j) /= det;
+    for (int j = 0; j < D; ++j)
+      inverse(k, j) /= det;
   return det;
 }
 
@@ -75,10 +84,12 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
   for (int q = 0; q < rule.points; ++q) {
     const double weight = rule.weights[q] * det;
     int direction = 0;
-    for (int j = 0; j < D; ++j) at.position[j] = cell.coordinates[j];
+    for (int j = 0; j < D; ++j)
+      at.position[j] = cell.coordinates[j];
     for (int v = 1; v <= D; ++v)
       for (int j = 0; j < D; ++j)
-        at.position[j] += rule.locations[q * D + v - 1] * (cell.coordinates[v * D + j] - cell.coordinates[j]);
+        at.position[j] +=
+            rule.locations[q * D + v - 1] * (cell.coordinates[v * D + j] - cell.coordinates[j]);
 
     // Values, rates and gradients of every field at this point, each an independent variable.
     detail::for_each_index(Indices{}, [&](auto index) {
@@ -91,24 +102,28 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
       for (int a = 0; a < shape.nodes; ++a)
         for (int j = 0; j < D; ++j) {
           double sum = 0;
-          for (int k = 0; k < D; ++k) sum += local[a * D + k] * at.inverse_jacobian(k, j);
+          for (int k = 0; k < D; ++k)
+            sum += local[a * D + k] * at.inverse_jacobian(k, j);
           gradients[f][a][j] = sum;
         }
       const auto interpolate = [&](const double* nodal, int c) {
         double sum = 0;
-        for (int a = 0; a < shape.nodes; ++a) sum += N[a] * nodal[a * components + c];
+        for (int a = 0; a < shape.nodes; ++a)
+          sum += N[a] * nodal[a * components + c];
         return sum;
       };
       const auto slope = [&](const double* nodal, int c, int j) {
         double sum = 0;
-        for (int a = 0; a < shape.nodes; ++a) sum += gradients[f][a][j] * nodal[a * components + c];
+        for (int a = 0; a < shape.nodes; ++a)
+          sum += gradients[f][a][j] * nodal[a * components + c];
         return sum;
       };
       auto& field = std::get<f>(at.fields);
       const FieldOnCell& nodal = cell.fields[f];
       for (int c = 0; c < components; ++c) {
         if constexpr ((needs & need::value) != 0)
-          detail::entry(field.value, c) = Num::independent(direction++, interpolate(nodal.value, c));
+          detail::entry(field.value, c) =
+              Num::independent(direction++, interpolate(nodal.value, c));
         if constexpr ((needs & need::rate) != 0)
           detail::entry(field.rate, c) = Num::independent(direction++, interpolate(nodal.rate, c));
         if constexpr ((needs & need::gradient) != 0)
@@ -150,10 +165,12 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
               if constexpr ((needs & need::rate) != 0) {
                 sum += N[a] * d[rate_at] * cell.fields[f].rate_slope[node];
                 if (follows && partner >= 0)
-                  line[offset[partner] + node] += N[a] * d[rate_at] * cell.fields[f].rate_partner[node];
+                  line[offset[partner] + node] +=
+                      N[a] * d[rate_at] * cell.fields[f].rate_partner[node];
               }
               if constexpr ((needs & need::gradient) != 0)
-                for (int j = 0; j < D; ++j) sum += gradients[f][a][j] * d[gradient_at + j];
+                for (int j = 0; j < D; ++j)
+                  sum += gradients[f][a][j] * d[gradient_at + j];
               if (active) line[offset[f] + node] += sum;
             }
           first += width * components;
@@ -172,13 +189,15 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
         auto& form = std::get<f>(out.fields);
         const auto scatter = [&](const T& output, int c, auto&& test) {
           const double value = weight * Num::value(output);
-          for (int a = 0; a < nodes; ++a) residual[offset[f] + a * components + c] += test(a) * value;
+          for (int a = 0; a < nodes; ++a)
+            residual[offset[f] + a * components + c] += test(a) * value;
           if (tangent == nullptr) return;
           contract_columns(output, line);
           for (int a = 0; a < nodes; ++a) {
             double* const row = tangent + (offset[f] + a * components + c) * n;
             const double factor = weight * test(a);
-            for (int j = 0; j < n; ++j) row[j] += factor * line[j];
+            for (int j = 0; j < n; ++j)
+              row[j] += factor * line[j];
           }
         };
         for (int c = 0; c < components; ++c) {
@@ -191,7 +210,8 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
     });
   }
   double sum = 0;
-  for (int i = 0; i < n; ++i) sum += residual[i];
+  for (int i = 0; i < n; ++i)
+    sum += residual[i];
   return std::isfinite(sum) ? CellStatus::ok : CellStatus::not_finite;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Vectors and second-order tensors of fixed size over doubles or automatic-differentiation numbers.
-// Only what weak forms need; every function works in two and three dimensions unless it says otherwise.
+// Only what weak forms need; every function works in two and three dimensions unless it says
+// otherwise.
 
 namespace hawser {
 
@@ -22,14 +23,16 @@ struct Tensor {
 template <class T, int D>
 Tensor<T, D> identity() {
   Tensor<T, D> result;
-  for (int i = 0; i < D; ++i) result(i, i) = 1.0;
+  for (int i = 0; i < D; ++i)
+    result(i, i) = 1.0;
   return result;
 }
 
 template <class A, class B, int D>
 A dot(const Vector<A, D>& a, const Vector<B, D>& b) {
   A sum = a[0] * b[0];
-  for (int i = 1; i < D; ++i) sum += a[i] * b[i];
+  for (int i = 1; i < D; ++i)
+    sum += a[i] * b[i];
   return sum;
 }
 
@@ -40,7 +43,8 @@ Tensor<A, D> multiply(const Tensor<A, D>& a, const Tensor<B, D>& b) {
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) {
       result(i, j) = a(i, 0) * b(0, j);
-      for (int k = 1; k < D; ++k) result(i, j) += a(i, k) * b(k, j);
+      for (int k = 1; k < D; ++k)
+        result(i, j) += a(i, k) * b(k, j);
     }
   return result;
 }
@@ -51,7 +55,8 @@ Vector<B, D> multiply(const Tensor<A, D>& a, const Vector<B, D>& b) {
   Vector<B, D> result;
   for (int i = 0; i < D; ++i) {
     result[i] = a(i, 0) * b[0];
-    for (int j = 1; j < D; ++j) result[i] += a(i, j) * b[j];
+    for (int j = 1; j < D; ++j)
+      result[i] += a(i, j) * b[j];
   }
   return result;
 }
@@ -62,7 +67,8 @@ Vector<A, D> multiply(const Vector<A, D>& a, const Tensor<B, D>& b) {
   Vector<A, D> result;
   for (int j = 0; j < D; ++j) {
     result[j] = a[0] * b(0, j);
-    for (int i = 1; i < D; ++i) result[j] += a[i] * b(i, j);
+    for (int i = 1; i < D; ++i)
+      result[j] += a[i] * b(i, j);
   }
   return result;
 }
@@ -70,7 +76,8 @@ Vector<A, D> multiply(const Vector<A, D>& a, const Tensor<B, D>& b) {
 template <class T, int D>
 T trace(const Tensor<T, D>& a) {
   T sum = a(0, 0);
-  for (int i = 1; i < D; ++i) sum += a(i, i);
+  for (int i = 1; i < D; ++i)
+    sum += a(i, i);
   return sum;
 }
 

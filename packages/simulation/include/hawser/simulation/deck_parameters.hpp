@@ -81,9 +81,9 @@ struct SolverDeck {
 /// The towed cable's report: positioning errors and the tow force.
 struct TowDeck {
   Located<std::string> cable, tow_point;
-  double angle = 0;       ///< degrees, of the tow axis from upstream
-  double speed = 0;       ///< m/s
-  double current = 0;     ///< m/s, along -y
+  double angle = 0;    ///< degrees, of the tow axis from upstream
+  double speed = 0;    ///< m/s
+  double current = 0;  ///< m/s, along -y
   static Spec<TowDeck> spec();
 };
 
@@ -102,7 +102,8 @@ struct ProbeDeck {
 };
 
 struct OutputDeck {
-  int fields_every = 0, history_every = 1, checkpoint_every = 0;  ///< steps; 0: never, but fields at the end
+  int fields_every = 0, history_every = 1,
+      checkpoint_every = 0;  ///< steps; 0: never, but fields at the end
   std::vector<ProbeDeck> probes;
   static Spec<OutputDeck> spec();
 };

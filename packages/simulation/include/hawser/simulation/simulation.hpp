@@ -11,18 +11,19 @@
 namespace hawser {
 
 struct RunOptions {
-  std::string output;                ///< result folder
+  std::string output;  ///< result folder
   std::string plugin_folder;
-  bool force = false;                ///< write over the results of a finished run
-  bool quiet = false;                ///< no progress lines
-  std::optional<double> end;         ///< s, instead of the deck's end
+  bool force = false;         ///< write over the results of a finished run
+  bool quiet = false;         ///< no progress lines
+  std::optional<double> end;  ///< s, instead of the deck's end
 };
 
 class Simulation {
  public:
-  /// Reads and checks the deck; nothing is written yet. Collective; DeckError or PluginError on all ranks.
-  Simulation(const Communicator& communicator, ModuleRegistry registry, const std::string& deck_file,
-             const RunOptions& options);
+  /// Reads and checks the deck; nothing is written yet. Collective; DeckError or PluginError on all
+  /// ranks.
+  Simulation(const Communicator& communicator, ModuleRegistry registry,
+             const std::string& deck_file, const RunOptions& options);
   /// Continues from a checkpoint with the deck that is kept in it.
   static Simulation restart(const Communicator& communicator, ModuleRegistry registry,
                             const std::string& checkpoint, const RunOptions& options);

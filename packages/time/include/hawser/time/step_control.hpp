@@ -1,15 +1,15 @@
 #pragma once
-// How long the next step is: cut after a rejection, grown again after successes, never past an event.
-// Decisions rest on counters only, so that the same run twice is the same to the last bit.
+// How long the next step is: cut after a rejection, grown again after successes, never past an
+// event. Decisions rest on counters only, so that the same run twice is the same to the last bit.
 #include <vector>
 
 namespace hawser {
 
 struct StepOptions {
-  double step = 1;          ///< s, the wanted length
-  double least = 0;         ///< s, below which the run gives up
-  double end = 1;           ///< s
-  int grow_after = 4;       ///< accepted steps in a row before a cut step is doubled
+  double step = 1;     ///< s, the wanted length
+  double least = 0;    ///< s, below which the run gives up
+  double end = 1;      ///< s
+  int grow_after = 4;  ///< accepted steps in a row before a cut step is doubled
 };
 
 class StepControl {

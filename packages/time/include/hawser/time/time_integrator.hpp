@@ -4,9 +4,11 @@
 // Newmark: momentum, pressure and geometry live at t_{n+1}.
 //   dynamic fields      u' = (u - u_n) / (gamma dt) - (1 - gamma)/gamma u'_n
 //   structures          d  = d_n + dt ((1 - b) v_n + b v) + dt^2 (1/2 - b) v'_n,  b = beta/gamma
-//   moving geometry     w  = (1 + s) q - s q_n,  q = (d - d_n)/dt,  s = dt/(dt + dt_n): second order at
-//                       t_{n+1} with a memory of one step, so that a kink in d is forgotten after two.
-//                       On a structure's nodes w is the velocity itself: no flow through the cable.
+//   moving geometry     w  = (1 + s) q - s q_n,  q = (d - d_n)/dt,  s = dt/(dt + dt_n): second
+//   order at
+//                       t_{n+1} with a memory of one step, so that a kink in d is forgotten after
+//                       two. On a structure's nodes w is the velocity itself: no flow through the
+//                       cable.
 #include <vector>
 
 #include "hawser/assembly/assembler.hpp"
@@ -23,16 +25,17 @@ struct TimeScheme {
 
 /// All that a step needs of the past; part of a checkpoint.
 struct TimeHistory {
-  double time = 0;               ///< s, of the last accepted step
-  double step = 0;               ///< s, its length; 0 at the start
-  std::vector<double> value;     ///< per local row
+  double time = 0;            ///< s, of the last accepted step
+  double step = 0;            ///< s, its length; 0 at the start
+  std::vector<double> value;  ///< per local row
   std::vector<double> rate;
   std::vector<double> quotient;  ///< (d_n - d_{n-1})/dt_n of moving geometry; at the start its rate
 };
 
 class TimeIntegrator {
  public:
-  TimeIntegrator(const Assembler& assembler, const std::vector<RateRule>& rules, const TimeScheme& scheme);
+  TimeIntegrator(const Assembler& assembler, const std::vector<RateRule>& rules,
+                 const TimeScheme& scheme);
 
   /// From initial values and rates; a geometry's first rate is taken as its quotient.
   void start(const State& initial);
