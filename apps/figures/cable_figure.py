@@ -1,5 +1,4 @@
 """Draws the cable in the flow at the last output: python3 cable_figure.py RESULT_FOLDER [PNG]"""
-import json
 import sys
 from pathlib import Path
 
@@ -9,6 +8,9 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.patheffects import withStroke
+
+OUTLINE = [withStroke(linewidth=2, foreground="black")]  # text stays readable on any colour
 
 
 def outputs(folder, name):
@@ -38,10 +40,16 @@ def chain(cells):
     return np.array(order)
 
 
+def label(axes, place, text, **how):
+    axes.text(*place, text, color="white", path_effects=OUTLINE, **how)
+
+
 def arrow(axes, start, vector, text, colour):
+    """The text stands right of the arrow's middle, level with it: never on the line itself."""
     axes.annotate("", xy=start + vector, xytext=start,
-                  arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 2, "mutation_scale": 18})
-    axes.text(*(start + 1.12 * vector), text, color=colour, ha="center", va="center")
+                  arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 2.5, "mutation_scale": 18})
+    aside = np.array([0.15 * np.linalg.norm(vector), 0])
+    label(axes, start + 0.5 * vector + aside, text, ha="left", va="center")
 
 
 def main():
@@ -53,14 +61,14 @@ def main():
     current = velocity.mean(axis=0)
     current /= np.linalg.norm(current) or 1.0
 
-    first, lines, _, _ = read(outputs(folder, "cable")[0])
-    cable, _, _, _ = read(outputs(folder, "cable")[-1])
+    cable, lines, along, _ = read(outputs(folder, "cable")[-1])
     order = chain(lines)
-    if first[order[0]] @ current > first[order[-1]] @ current:  # the tow point is the upstream end
+    if along["arc_length"].flat[order[0]] > 0:  # counted from the tow point
         order = order[::-1]
     cable, tow_point = cable[order], cable[order[0]]
     length = np.linalg.norm(np.diff(cable, axis=0), axis=1).sum()
-    tow = tow_point - first[order[0]]
+    at_tow_point = np.argmin(np.linalg.norm(points - tow_point, axis=1))
+    tow = fields["displacement"][at_tow_point, :2]
     towed = np.linalg.norm(tow)
     tow = tow / towed if towed > 0 else -current
 
@@ -75,19 +83,20 @@ def main():
     axes.plot(*tow_point, "o", color="crimson", markeredgecolor="white", ms=8, label="tow point")
     axis = np.array([tow_point - 1.2 * length * tow, tow_point + 0.5 * length * tow])
     axes.plot(*axis.T, "--", color="white", lw=1.2, label="tow axis")
+    tail = cable[-1]
+    foot = tow_point + tow * ((tail - tow_point) @ tow)
+    end_error = np.linalg.norm(tail - foot)
+    if end_error > 0.02 * length:
+        axes.plot(*np.array([foot, tail]).T, "-", color="white", lw=1.2)
+        label(axes, foot - 0.02 * length * tow, f"end error {end_error:.1f} m", ha="right", va="top")
     corner = centre + half * np.array([-0.78, 0.8])
     arrow(axes, corner, 0.2 * half * current, "current", "white")
     arrow(axes, tow_point, 0.25 * half * tow, "tow", "orange")
 
     axes.set(xlim=centre[0] + half * np.array([-1, 1]), ylim=centre[1] + half * np.array([-1, 1]),
              xlabel="x (m)", ylabel="y (m)", aspect="equal")
-    title = f"t = {time:.0f} s, towed {towed:.0f} m"
-    summary = folder / "summary.json"
-    if summary.exists():
-        error = json.loads(summary.read_text()).get("end_error_m")
-        title += f", end {error:.1f} m off the tow axis" if error is not None else ""
-    axes.set_title(title)
-    legend = axes.legend(loc="lower right", facecolor="black", framealpha=0.4)
+    axes.set_title(f"t = {time:.0f} s, towed {towed:.0f} m")
+    legend = axes.legend(loc="lower right", facecolor="black", framealpha=0.6)
     for text in legend.get_texts():
         text.set_color("white")
     figure.savefig(picture, bbox_inches="tight")
