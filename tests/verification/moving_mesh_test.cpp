@@ -165,7 +165,7 @@ TEST(PatchTest, OfFluidAndMesh) {
   <time scheme="steady" end="1"/>
   <solver><linear method="mumps" tolerance="1e-13"/><newton tolerance="1e-13"/></solver>
 </hawser>)");
-  run.step();
+  EXPECT_GE(run.step().iterations, 2);  // the geometry is not known beforehand
   const double displacement =
       run.deviation("displacement", "water", [](const double* X, auto&&...) {
         return Numbers{0.1 * X[0] + 0.05 * X[1], 0.08 * X[1] - 0.03 * X[0]};
