@@ -158,7 +158,8 @@ TEST(PatchTest, OfFluidAndMesh) {
     <mesh-motion region="water" stiffening-power="0"/>
   </modules>
   <conditions>
-    <prescribe field="displacement" on="left right bottom top" value="0.1*X + 0.05*Y; 0.08*Y - 0.03*X"/>
+    <prescribe field="displacement" on="left right bottom top"
+               value="0.1*X + 0.05*Y; 0.08*Y - 0.03*X"/>
     <prescribe field="velocity" on="left right bottom top" value="0.5*y; 0"/>
     <prescribe field="pressure" on="corner" value="0"/>
   </conditions>

@@ -1,0 +1,201 @@
+// Rates of motions that the scheme must reproduce to round-off, with steps of changing length.
+#include "hawser/time/time_integrator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "assembly/tests/sample_modules.hpp"
+#include "hawser/assembly/field_table.hpp"
+#include "mesh/tests/mesh_text.hpp"
+
+namespace hawser {
+namespace {
+
+/// Water whose mesh moves, and a cable through its middle.
+std::vector<PhysicsModule> sample_modules() {
+  std::vector<PhysicsModule> modules;
+  modules.push_back(module_with(
+      "flow",
+      std::make_unique<LoadKernel>(
+          "water", 3, std::vector<FieldUse>{velocity(Role::adds), displacement(Role::governs)})));
+  modules.push_back(module_with(
+      "cable",
+      std::make_unique<LoadKernel>(
+          "cable", 2, std::vector<FieldUse>{velocity(Role::adds), displacement(Role::kinematic)})));
+  return modules;
+}
+
+Mesh sample_mesh() {
+  MeshText text = grid(2, 2);
+  text.groups.push_back(line("cable", {3, 4, 5}));
+  return read_text(Communicator(), text.in_format("4.1"));
+}
+
+/// Every velocity and displacement follows a function of time: with speed(t) and way(t).
+template <class Speed, class Way>
+class Motion {
+ public:
+  Motion(const TimeScheme& scheme, Speed speed, Way way)
+      : mesh_(sample_mesh()),
+        modules_(sample_modules()),
+        table_(gather_fields(modules_)),
+        dofs_(mesh_, table_.fields),
+        assembler_(dofs_, modules_),
+        integrator_(assembler_, table_.rate_rules, scheme),
+        speed_(speed),
+        way_(way) {}
+
+  /// Starts with the given rates of speed and way.
+  void start(double speed_rate, double way_rate) {
+    const auto rows = static_cast<std::size_t>(dofs_.rows());
+    state_.time = 0;
+    state_.value.resize(rows);
+    state_.rate.resize(rows);
+    for (std::size_t row = 0; row < rows; ++row) {
+      state_.value[row] = is_velocity(row) ? speed_(0.0) : way_(0.0);
+      state_.rate[row] = is_velocity(row) ? speed_rate : way_rate;
+    }
+    integrator_.start(state_);
+  }
+  void step(double length) {
+    integrator_.begin_step(length, state_);
+    for (std::size_t row = 0; row < state_.value.size(); ++row)
+      state_.value[row] = is_velocity(row) ? speed_(state_.time) : way_(state_.time);
+    integrator_.update_rates(state_);
+    integrator_.accept(state_);
+  }
+
+  /// Largest |rate - wanted| of the velocity, or of the mesh's displacement away from the cable.
+  double error_of_velocity_rate(double wanted) const {
+    return largest(
+        [&](std::size_t row) { return is_velocity(row) ? state_.rate[row] - wanted : 0; });
+  }
+  double error_of_mesh_velocity(double wanted) const {
+    return largest([&](std::size_t row) {
+      return is_velocity(row) || is_structure(row) ? 0 : state_.rate[row] - wanted;
+    });
+  }
+  double error_of_structure_velocity() const {
+    return largest([&](std::size_t row) {
+      return is_structure(row) ? state_.rate[row] - speed_(state_.time) : 0;
+    });
+  }
+  /// |known + factor v - d| on the cable, from the relation of the last step.
+  double error_of_kinematics() const {
+    const Kinematics& kinematics = integrator_.kinematics();
+    double worst = 0;
+    for (const double known : kinematics.known)
+      worst = std::max(
+          worst, std::abs(known + kinematics.factor * speed_(state_.time) - way_(state_.time)));
+    EXPECT_EQ(kinematics.known.size(), 6U);
+    return worst;
+  }
+  const State& state() const { return state_; }
+
+ private:
+  bool is_velocity(std::size_t row) const {
+    return dofs_.info(static_cast<LocalIndex>(row)).field == dofs_.find("velocity");
+  }
+  bool is_structure(std::size_t row) const {
+    double x[2];
+    dofs_.position(static_cast<LocalIndex>(row), x);
+    return !is_velocity(row) && x[1] == 1;
+  }
+  template <class Error>
+  double largest(Error&& error) const {
+    double worst = 0;
+    for (std::size_t row = 0; row < state_.value.size(); ++row)
+      worst = std::max(worst, std::abs(error(row)));
+    return worst;
+  }
+
+  Mesh mesh_;
+  std::vector<PhysicsModule> modules_;
+  FieldTable table_;
+  DofMap dofs_;
+  Assembler assembler_;
+  TimeIntegrator integrator_;
+  Speed speed_;
+  Way way_;
+  State state_;
+};
+
+TimeScheme newmark(double beta, double gamma) {
+  TimeScheme scheme;
+  scheme.beta = beta, scheme.gamma = gamma;
+  return scheme;
+}
+
+const double lengths[] = {0.1, 0.1, 0.05, 0.2, 0.1};
+
+TEST(Newmark, ReproducesConstantAcceleration) {
+  for (const TimeScheme& scheme : {newmark(0.25, 0.5), newmark(0.3025, 0.6)}) {
+    Motion motion(
+        scheme, [](double t) { return 3 * t; }, [](double t) { return 1.5 * t * t; });
+    motion.start(3, 0);
+    for (const double length : lengths) {
+      motion.step(length);
+      EXPECT_LE(motion.error_of_velocity_rate(3), 1e-12);
+      EXPECT_LE(motion.error_of_mesh_velocity(3 * motion.state().time), 1e-12);
+      EXPECT_LE(motion.error_of_kinematics(), 1e-14);
+      EXPECT_EQ(motion.error_of_structure_velocity(), 0);
+    }
+  }
+}
+
+TEST(Newmark, IsOfSecondOrderWithGammaOneHalfAndOfFirstAbove) {
+  const auto error_with = [](double gamma, double length) {
+    Motion motion(
+        newmark(0.3025, gamma), [](double t) { return std::sin(t); },
+        [](double t) { return std::sin(t); });
+    motion.start(1, 1);
+    const int steps = static_cast<int>(std::lround(1 / length));
+    for (int n = 0; n < steps; ++n)
+      motion.step(length);
+    return motion.error_of_velocity_rate(std::cos(1.0));
+  };
+  EXPECT_NEAR(std::log2(error_with(0.5, 0.02) / error_with(0.5, 0.01)), 2, 0.1);
+  EXPECT_NEAR(std::log2(error_with(0.6, 0.02) / error_with(0.6, 0.01)), 1, 0.1);
+}
+
+TEST(MeshVelocity, IsOfSecondOrderWhateverGamma) {
+  const auto error_with = [](double length) {
+    Motion motion(
+        newmark(0.3025, 0.6), [](double) { return 0.0; }, [](double t) { return std::sin(t); });
+    motion.start(0, 1);
+    const int steps = static_cast<int>(std::lround(1 / length));
+    for (int n = 0; n < steps; ++n)
+      motion.step(length);
+    return motion.error_of_mesh_velocity(std::cos(1.0));
+  };
+  EXPECT_NEAR(std::log2(error_with(0.02) / error_with(0.01)), 2, 0.1);
+}
+
+TEST(MeshVelocity, ForgetsAKinkAfterTwoSteps) {
+  Motion motion(
+      newmark(0.25, 0.5), [](double) { return 0.0; }, [](double t) { return t < 0.15 ? t : 0.1; });
+  motion.start(0, 1);
+  motion.step(0.1);
+  EXPECT_LE(motion.error_of_mesh_velocity(1), 1e-14);
+  motion.step(0.1);
+  EXPECT_GT(motion.error_of_mesh_velocity(0), 0.1);
+  motion.step(0.1);
+  EXPECT_EQ(motion.error_of_mesh_velocity(0), 0);
+}
+
+TEST(Steady, HasNoRates) {
+  TimeScheme steady;
+  steady.steady = true;
+  Motion motion(
+      steady, [](double t) { return t; }, [](double t) { return t; });
+  motion.start(1, 1);
+  motion.step(1);
+  EXPECT_EQ(motion.error_of_velocity_rate(0), 0);
+  EXPECT_EQ(motion.error_of_mesh_velocity(0), 0);
+  EXPECT_EQ(motion.state().step, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace hawser
