@@ -10,6 +10,7 @@ set(HAWSER_MODULE_SEES base deck physics)
 set(HAWSER_CONFINED_HEADERS
   "(NOX|Thyra|Belos|Ifpack2|MueLu|Stratimikos)[_.A-Z]|packages/solve/src"
   "Sacado|packages/physics packages/modules"
+  "Intrepid2|packages/fields/src"
   "pugixml|packages/deck/src"
   "gmsh|apps/mesher"
   "(hdf5|H5[A-Z])[A-Za-z]*public|packages/output/src"
