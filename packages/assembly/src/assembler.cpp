@@ -7,53 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "hawser/base/error.hpp"
+#include "src/cell_failure.hpp"
+#include "src/named_blocks.hpp"
 #include "src/sparsity.hpp"
 
 namespace hawser {
-namespace {
-
-/// Remembers the first cell that could not be evaluated.
-struct CellFailure {
-  CellStatus status = CellStatus::ok;
-  const KernelCells* cells = nullptr;
-  LocalIndex cell = 0;
-
-  void note(CellStatus found, const KernelCells& where, LocalIndex which) {
-    if (status != CellStatus::ok || found == CellStatus::ok) return;
-    status = found;
-    cells = &where;
-    cell = which;
-  }
-};
-
-void throw_together(const Mesh& mesh, const State& state, const CellFailure& failure) {
-  mesh.communicator.together([&] {
-    if (failure.status == CellStatus::ok) return;
-    const Region& region = *failure.cells->region;
-    const auto per_cell = static_cast<std::size_t>(region.vertices_per_cell);
-    double centre[3] = {0, 0, 0};
-    for (std::size_t v = 0; v < per_cell; ++v)
-      for (int j = 0; j < mesh.dimension; ++j) {
-        const LocalIndex vertex =
-            region.vertices[static_cast<std::size_t>(failure.cell) * per_cell + v];
-        centre[j] += mesh.coordinates[static_cast<std::size_t>(vertex * mesh.dimension + j)] /
-                     region.vertices_per_cell;
-      }
-    std::ostringstream text;
-    text << "cell " << region.cell_ids[static_cast<std::size_t>(failure.cell)] << " of region '"
-         << region.name << "', which started near (" << centre[0] << ", " << centre[1] << ") m, "
-         << (failure.status == CellStatus::inverted ? "turned inside out (det F <= 0)"
-                                                    : "gives a residual that is not a number")
-         << " at t = " << state.time << " s";
-    throw SolveError(text.str());
-  });
-}
-
-}  // namespace
-
 struct Assembler::Implementation {
   const DofMap* dofs;
   std::vector<KernelCells> kernels;
@@ -78,7 +38,7 @@ struct Assembler::Implementation {
     for (KernelCells& cells : kernels)
       find_positions(sparsity, cells);
     make_matrix();
-    name_blocks(governance, modules);
+    system.blocks = name_blocks(map, governance, modules);
   }
 
   void make_maps() {
@@ -128,39 +88,6 @@ struct Assembler::Implementation {
       throw std::logic_error("Tpetra reordered the matrix's columns");
   }
 
-  void name_blocks(const Governance& governance, const std::vector<PhysicsModule>& modules) {
-    for (LocalIndex row = 0; row < dofs->owned(); ++row)
-      block_of(governance, modules, row).rows.push_back(row);
-  }
-
-  // Every rank lists the same blocks in the same order, also those of which it has no row.
-  Block& block_of(const Governance& governance, const std::vector<PhysicsModule>& modules,
-                  LocalIndex row) {
-    if (system.blocks.empty())
-      for (const PhysicsModule& module : modules)
-        for (const FieldDescription& field : dofs->fields()) {
-          const auto same = [&](const Block& b) {
-            return b.name == module.block && b.field == field.name;
-          };
-          if (std::none_of(system.blocks.begin(), system.blocks.end(), same))
-            system.blocks.push_back({module.block, field.name, field.residual_unit, {}});
-        }
-    const int module = std::max(0, governance.block_of_row[static_cast<std::size_t>(row)]);
-    const std::string& name = modules[static_cast<std::size_t>(module)].block;
-    const std::string& field = dofs->fields()[static_cast<std::size_t>(dofs->info(row).field)].name;
-    return *std::find_if(system.blocks.begin(), system.blocks.end(),
-                         [&](const Block& b) { return b.name == name && b.field == field; });
-  }
-
-  void drop_empty_blocks() {
-    auto& blocks = system.blocks;
-    blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
-                                [&](const Block& block) {
-                                  return !system.communicator.any(!block.rows.empty());
-                                }),
-                 blocks.end());
-  }
-
   void spread(std::vector<double>& local) const {
     TpetraVector owned(system.rows);
     const auto view = owned.getDataNonConst();
@@ -177,9 +104,7 @@ struct Assembler::Implementation {
 };
 
 Assembler::Assembler(const DofMap& dofs, const std::vector<PhysicsModule>& modules)
-    : implementation_(std::make_unique<Implementation>(dofs, modules)) {
-  implementation_->drop_empty_blocks();
-}
+    : implementation_(std::make_unique<Implementation>(dofs, modules)) {}
 Assembler::~Assembler() = default;
 Assembler::Assembler(Assembler&&) noexcept = default;
 
@@ -212,7 +137,7 @@ void Assembler::residual(const State& state, std::vector<double>& total,
       }
     }
   }
-  throw_together(dofs.mesh(), state, failure);
+  failure.throw_together(dofs.mesh(), state);
 }
 
 void Assembler::tangent(const State& state, unsigned columns) {
@@ -237,7 +162,7 @@ void Assembler::tangent(const State& state, unsigned columns) {
         if (positions[k] >= 0) values[positions[k]] += local_tangent[k];
     }
   }
-  throw_together(dofs.mesh(), state, failure);
+  failure.throw_together(dofs.mesh(), state);
 }
 
 void Assembler::tangent_product(const State& state, const std::vector<double>& direction,
@@ -266,7 +191,7 @@ void Assembler::tangent_product(const State& state, const std::vector<double>& d
       }
     }
   }
-  throw_together(dofs.mesh(), state, failure);
+  failure.throw_together(dofs.mesh(), state);
 }
 
 std::vector<Assembler::CellValues> Assembler::cell_quantities(const Region& region,

@@ -1,5 +1,6 @@
 #include "src/kernel_cells.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -8,24 +9,27 @@
 namespace hawser {
 namespace {
 
-constexpr int quadrature_degree_p1 = 2;  // the mass matrix exactly
-constexpr int quadrature_degree_p2 = 5;
+/// Exact for the mass matrix of linear shapes; a kernel that sees gradients of linear shapes only
+/// is constant on a cell.
+int quadrature_degree(const Kernel& kernel) {
+  int degree = 0;
+  for (const FieldUse& use : kernel.fields()) {
+    if ((use.needs & (need::value | need::rate)) != 0) degree = std::max(degree, 2);
+    if (use.basis == Basis::p2) degree = 5;
+  }
+  return degree;
+}
 
 void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& cells,
                  Kernel& kernel) {
   std::vector<Tabulation> shapes;
-  if (region.shape == CellShape::triangle) {
-    bool quadratic = false;
-    for (const FieldUse& use : kernel.fields())
-      quadratic = quadratic || use.basis == Basis::p2;
+  if (region.shape == CellShape::triangle)
     for (std::size_t f = 0; f < cells.fields.size(); ++f) {
       const int field = cells.fields[f];
       const Basis basis = field < 0 ? kernel.fields()[f].basis
                                     : dofs.fields()[static_cast<std::size_t>(field)].basis;
-      shapes.push_back(
-          tabulate(region.shape, basis, quadratic ? quadrature_degree_p2 : quadrature_degree_p1));
+      shapes.push_back(tabulate(region.shape, basis, quadrature_degree(kernel)));
     }
-  }
   kernel.bind(shapes);
 }
 

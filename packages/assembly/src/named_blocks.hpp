@@ -1,0 +1,15 @@
+#pragma once
+#include <vector>
+
+#include "hawser/assembly/block_system.hpp"
+#include "hawser/assembly/governance.hpp"
+
+namespace hawser {
+
+/// The owned rows by the block of the module they belong to and by field. Every rank lists the same
+/// blocks in the same order, also those of which it has no row; blocks without any row are left
+/// out. Collective.
+std::vector<Block> name_blocks(const DofMap& dofs, const Governance& governance,
+                               const std::vector<PhysicsModule>& modules);
+
+}  // namespace hawser
