@@ -50,23 +50,26 @@ int perform(const std::string& verb, const Arguments& arguments, const Communica
   if (arguments.has_end) options.end = arguments.end;
   if (verb == "run")
     return exit_code(Simulation(world, built_in_modules(), arguments.file, options).run());
-  if (verb == "restart") {
-    if (options.output.empty())
-      options.output = std::filesystem::path(arguments.file).parent_path().string();
+  if (verb == "restart")
     return exit_code(Simulation::restart(world, built_in_modules(), arguments.file, options).run());
-  }
   if (verb == "check") {
     const Simulation simulation(world, built_in_modules(), arguments.file, options);
-    if (world.is_root()) std::printf("%s: no faults\n", arguments.file.c_str());
+    if (world.is_root())
+      std::printf("%s: no faults (names of regions and fields are checked when it runs)\n",
+                  arguments.file.c_str());
   }
   const ModuleRegistry registry = built_in_modules();
   if (verb == "modules" && world.is_root())
     for (const std::string& tag : registry.tags())
       std::printf("%-14s %s\n", tag.c_str(), registry.find(tag)->spec.meaning.c_str());
-  if (verb == "describe" && world.is_root()) {
+  if (verb == "describe") {
     const ModuleRegistry::Entry* const module = registry.find(arguments.file);
-    std::fputs(describe(module != nullptr ? module->spec : RunDeck::spec().node_spec()).c_str(),
-               stdout);
+    if (module == nullptr && !arguments.file.empty())
+      throw Error(ExitCode::usage, "there is no module '" + arguments.file + "'; there are " +
+                                       listed(registry.tags()) +
+                                       did_you_mean(arguments.file, registry.tags()));
+    const std::string text = describe(module ? module->spec : RunDeck::spec().node_spec());
+    if (world.is_root()) std::fputs(text.c_str(), stdout);
   }
   return 0;
 }
@@ -90,6 +93,7 @@ int guarded_main(int argc, char** argv, const Communicator& world) {
     verb->add_flag("-f,--force", arguments.run.force, "write over the results of a finished run");
     verb->add_flag("-q,--quiet", arguments.run.quiet, "no progress lines");
     verb->add_option("--end", arguments.end, "end time in s, instead of the deck's")
+        ->check(CLI::PositiveNumber)
         ->each([&](const std::string&) { arguments.has_end = true; });
   };
   auto* run = common(

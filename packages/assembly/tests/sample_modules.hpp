@@ -14,10 +14,11 @@ namespace hawser {
 class LoadKernel : public Kernel {
  public:
   LoadKernel(std::string region, int nodes, std::vector<FieldUse> uses, double load = 0)
-      : Kernel(std::move(region), std::move(uses)), load_(load) {
+      : Kernel(std::move(region), std::move(uses)), nodes_(nodes), load_(load) {
     for (const FieldUse& use : fields())
       unknowns_ += nodes * use.components;
   }
+  int vertices_per_cell() const override { return nodes_; }
   void bind(const std::vector<Tabulation>& /*shapes*/) override {}
   CellStatus residual(const CellInput& /*cell*/, double* residual) const override {
     std::fill(residual, residual + unknowns_, load_);
@@ -30,6 +31,7 @@ class LoadKernel : public Kernel {
   }
 
  private:
+  int nodes_;
   double load_;
   int unknowns_ = 0;
 };

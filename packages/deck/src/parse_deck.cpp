@@ -2,6 +2,7 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 
 #include "hawser/base/error.hpp"
@@ -125,6 +126,29 @@ class Converter {
   Diagnostics& diagnostics_;
 };
 
+/// Where the name of the innermost element stands that is still open at `end`; npos: none is. The
+/// text up to there has been read without a fault, but for an end tag at `end` itself.
+std::size_t open_element(const std::string& text, std::size_t end) {
+  std::vector<std::size_t> open;
+  for (std::size_t at = text.find('<'); at < end; at = text.find('<', at)) {
+    const auto skip = [&](const char* begin, const char* close) {
+      if (text.compare(at, std::strlen(begin), begin) != 0) return false;
+      at = text.find(close, at + std::strlen(begin));
+      return true;
+    };
+    if (skip("<!--", "-->") || skip("<![CDATA[", "]]>") || skip("<?", "?>")) continue;
+    if (text[at + 1] == '/' && text.find('>', at) < end && !open.empty()) open.pop_back();
+    if (text[at + 1] != '/') open.push_back(at + 1);
+    for (char quote = 0; at < text.size() && (quote != 0 || text[at] != '>'); ++at)
+      if (text[at] == quote)
+        quote = 0;
+      else if (quote == 0 && (text[at] == '"' || text[at] == '\''))
+        quote = text[at];
+    if (at < text.size() && text[at - 1] == '/') open.pop_back();
+  }
+  return open.empty() ? std::string::npos : open.back();
+}
+
 std::string sentence(pugi::xml_parse_status status, bool at_end) {
   switch (status) {
     case pugi::status_unrecognized_tag:
@@ -139,7 +163,7 @@ std::string sentence(pugi::xml_parse_status status, bool at_end) {
     case pugi::status_bad_end_element: return "the end tag is not closed with '>'";
     case pugi::status_end_element_mismatch:
       return at_end ? "the deck ends before all its elements are closed"
-                    : "the end tag does not match the element that is open here";
+                    : "the end tag does not match the element that is open";
     default: return "the deck is not well-formed XML";
   }
 }
@@ -168,7 +192,14 @@ Deck parse_deck(const std::string& text, const std::string& file, Diagnostics& d
     const bool at_end = text.find_first_not_of(" \t\r\n", offset) == std::string::npos;
     // An unclosed comment runs to the end of the deck: what helps is where it begins.
     if (result.status == pugi::status_bad_comment) offset = text.rfind("<!--", offset);
-    throw DeckError(converter.places().at(offset).text() + ": " + sentence(result.status, at_end));
+    std::string what = sentence(result.status, at_end);
+    if (result.status == pugi::status_end_element_mismatch) {
+      const std::size_t name = open_element(text, offset);
+      if (name != std::string::npos)
+        what += ": <" + text.substr(name, text.find_first_of(" \t\r\n/>", name) - name) +
+                "> of line " + std::to_string(converter.places().at(name).line);
+    }
+    throw DeckError(converter.places().at(offset).text() + ": " + what);
   }
   return {file, text, converter.root(document)};
 }

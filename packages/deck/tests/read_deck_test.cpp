@@ -41,7 +41,7 @@ TEST(ReadDeck, MalformedXmlIsADeckErrorOnEveryRank) {
   const Communicator world;
   world.on_root([] { std::ofstream("bad.xml") << "<hawser>\n"; });
   EXPECT_EQ(message_of(world, "bad.xml"),
-            "bad.xml:2:1: the deck ends before all its elements are closed");
+            "bad.xml:2:1: the deck ends before all its elements are closed: <hawser> of line 1");
 }
 
 }  // namespace

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/regions.hpp"
+#include "src/look_up.hpp"
 
 namespace hawser {
 namespace {
 
-std::vector<std::string> field_names(const DofMap& dofs) {
-  std::vector<std::string> names;
-  for (const auto& field : dofs.fields())
-    names.push_back(field.name);
+/// "x, y": the components of a field by name.
+std::string component_names(int count) {
+  std::string names = "x";
+  for (int c = 1; c < count; ++c)
+    names += std::string(", ") + static_cast<char>('x' + c);
   return names;
 }
 
@@ -37,25 +38,28 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, Diagnostics& di
   entry.value = deck.value;
   entry.from = deck.from.value_or(entry.from);
   entry.until = deck.until.value_or(entry.until);
-  const int field = dofs_.find(deck.field.value);
+  const int field = find_field(dofs_, deck.field, diagnostics);
   if (field < 0) {
-    diagnostics.error(deck.field.location, "no module solves for a field '" + deck.field.value +
-                                               "'; there are " + listed(field_names(dofs_)) +
-                                               did_you_mean(deck.field.value, field_names(dofs_)));
+    for (const std::string& name : deck.on.value)
+      find_region(dofs_.mesh(), name, deck.on.location, diagnostics);
     return entry;
   }
   const int components = dofs_.fields()[static_cast<std::size_t>(field)].components;
   const bool all = deck.component.value == "all";
   entry.first_component = all ? 0 : deck.component.value[0] - 'x';
   if (!all && entry.first_component >= components)
-    diagnostics.error(deck.component.location, "field '" + deck.field.value +
-                                                   "' has no component " + deck.component.value +
-                                                   " here; it has " + std::to_string(components));
+    diagnostics.error(deck.component.location,
+                      "field '" + deck.field.value + "' has no component " + deck.component.value +
+                          " here; it has " + component_names(components));
   const std::size_t wanted = all ? static_cast<std::size_t>(components) : 1;
   if (entry.value.size() != wanted)
-    diagnostics.error(deck.value.location, "value has " + std::to_string(entry.value.size()) +
-                                               " component(s) and needs " + std::to_string(wanted) +
-                                               "; formulas are separated by ';'");
+    diagnostics.error(deck.value.location,
+                      std::to_string(wanted) + (wanted == 1 ? " value" : " values") + " needed for " +
+                          (all ? "the components " + component_names(components)
+                               : "component " + deck.component.value) +
+                          " of field '" + deck.field.value + "', " +
+                          std::to_string(entry.value.size()) +
+                          " given; formulas are set apart by ';'");
   for (const std::string& name : deck.on.value) {
     const Region* const region = find_region(dofs_.mesh(), name, deck.on.location, diagnostics);
     if (region == nullptr) continue;
@@ -86,25 +90,30 @@ SpaceTime Conditions::point(LocalIndex row, const State& state) const {
 }
 
 void Conditions::set_initial(State& state) const {
-  const Mesh& mesh = dofs_.mesh();
-  mesh.communicator.together([&] {
-    for (const Entry& entry : initial_)
-      for (const LocalIndex first : entry.first_rows) {
-        const SpaceTime at = point(first, state);
-        const LocalIndex moved = displacement_at(first);
-        for (std::size_t c = 0; c < entry.value.size(); ++c) {
-          const auto row = static_cast<std::size_t>(first + entry.first_component) + c;
-          state.value[row] = entry.value[c](at);
-          state.rate[row] =
-              entry.value[c].depends_on_time() ? entry.value[c].time_derivative(at) : 0;
-          if (moved < 0 || !entry.value[c].depends_on_moved_position()) continue;
-          const auto slope = entry.value[c].gradient(at);  // the node is carried along
-          for (int j = 0; j < mesh.dimension; ++j)
-            state.rate[row] += slope[static_cast<std::size_t>(j)] *
-                               state.rate[static_cast<std::size_t>(moved + j)];
-        }
-      }
-  });
+  for (const Entry& entry : initial_) {
+    dofs_.mesh().communicator.together([&] { set_initial(entry, state); });
+    // A region's vertex may be a ghost here although none of the region's cells are here.
+    assembler_.spread(state.value);
+    assembler_.spread(state.rate);
+  }
+}
+
+void Conditions::set_initial(const Entry& entry, State& state) const {
+  for (const LocalIndex first : entry.first_rows) {
+    const SpaceTime at = point(first, state);
+    const LocalIndex moved = displacement_at(first);
+    for (std::size_t c = 0; c < entry.value.size(); ++c) {
+      const auto row = static_cast<std::size_t>(first + entry.first_component) + c;
+      const Expression& value = entry.value[c];
+      state.value[row] = value(at);
+      state.rate[row] = value.depends_on_time() ? value.time_derivative(at) : 0;
+      if (moved < 0 || !value.depends_on_moved_position()) continue;
+      const auto slope = value.gradient(at);  // the node is carried along
+      for (int j = 0; j < dofs_.mesh().dimension; ++j)
+        state.rate[row] += slope[static_cast<std::size_t>(j)] *
+                           state.rate[static_cast<std::size_t>(moved + j)];
+    }
+  }
 }
 
 std::vector<PrescribedRow> Conditions::prescribed(const State& state) const {

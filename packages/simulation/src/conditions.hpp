@@ -35,6 +35,7 @@ class Conditions {
     double until = std::numeric_limits<double>::infinity();
   };
   Entry resolve(const ConditionDeck& deck, Diagnostics& diagnostics) const;
+  void set_initial(const Entry& entry, State& state) const;
   SpaceTime point(LocalIndex row, const State& state) const;
   /// First displacement row at the node of `row`; -1 where nothing moves.
   LocalIndex displacement_at(LocalIndex row) const;

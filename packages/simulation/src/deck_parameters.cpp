@@ -125,6 +125,7 @@ Spec<MeshDeck> MeshDeck::spec() {
       .child(&P::tow_box)
       .child(&P::water_box)
       .child(&P::file)
+      .location(&P::location)
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
         if (int(p.tow_box.has_value()) + int(p.water_box.has_value()) + int(p.file.has_value()) !=
             1)
@@ -174,7 +175,8 @@ Spec<TimeDeck> TimeDeck::spec() {
                  "A rejected step is halved down to this length; 0 for a thousandth of the step.")
       .attribute("end", &P::end, "s", positive(), "Time at which the run ends.")
       .attribute("grow-after", &P::grow_after, at_least(1),
-                 "Accepted steps in a row after which a cut step is doubled again.");
+                 "Accepted steps in a row after which a cut step is doubled again.")
+      .location(&P::location);
 }
 
 Spec<SolverDeck> SolverDeck::spec() {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "src/regions.hpp"
+#include "src/look_up.hpp"
 
 namespace hawser {
 
@@ -11,7 +11,7 @@ ForceReport::ForceReport(const Assembler& assembler, const std::vector<PhysicsMo
     : assembler_(assembler), deck_(deck) {
   const DofMap& dofs = assembler.dofs();
   const Region* const region = find_region(dofs.mesh(), deck.on, diagnostics);
-  const int velocity = dofs.find("velocity");
+  const int velocity = find_field(dofs, {"velocity", deck.on.location}, diagnostics);
   if (region != nullptr && velocity >= 0)
     for (const LocalIndex row : dofs.region_rows(velocity, *region))
       if (row < dofs.owned()) rows_.push_back(row);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace hawser {
 
@@ -15,22 +16,30 @@ void RunSummary::add(const StepFigures& figures) {
   end_errors_.emplace_back(figures.time, figures.tow.end_error);
 }
 
-void RunSummary::save(std::map<std::string, double>& numbers) const {
+void RunSummary::save(CheckpointHeader& header) const {
+  auto& numbers = header.numbers;
   numbers["steps"] = static_cast<double>(steps_);
   numbers["rejected"] = static_cast<double>(rejected_);
   numbers["newton"] = static_cast<double>(newton_);
   numbers["linear"] = static_cast<double>(linear_);
   numbers["least_quality"] = least_quality_;
   numbers["courant"] = courant_;
+  std::string& text = header.texts["end_errors"];
+  for (const auto& [time, error] : end_errors_)
+    text += write_value(time) + " " + write_value(error) + "\n";
 }
 
-void RunSummary::resume(const std::map<std::string, double>& numbers) {
+void RunSummary::resume(const CheckpointHeader& header) {
+  const auto& numbers = header.numbers;
   steps_ = static_cast<long long>(numbers.at("steps"));
   rejected_ = static_cast<long long>(numbers.at("rejected"));
   newton_ = static_cast<long long>(numbers.at("newton"));
   linear_ = static_cast<long long>(numbers.at("linear"));
   least_quality_ = numbers.at("least_quality");
   courant_ = numbers.at("courant");
+  std::istringstream text(header.texts.at("end_errors"));
+  for (double time = 0, error = 0; text >> time >> error;)
+    end_errors_.emplace_back(time, error);
 }
 
 Summary RunSummary::summary(const System& system, const RunDeck& deck) const {

@@ -1,9 +1,9 @@
 #pragma once
 // What a run amounts to: the last step's quantities, and how they came about.
-#include <map>
 #include <string>
 #include <vector>
 
+#include "hawser/output/checkpoint.hpp"
 #include "hawser/output/summary.hpp"
 #include "src/system.hpp"
 
@@ -14,9 +14,9 @@ class RunSummary {
   void add(const StepFigures& figures);
   void rejected() { ++rejected_; }
 
-  /// Counters that a restarted run goes on with.
-  void save(std::map<std::string, double>& numbers) const;
-  void resume(const std::map<std::string, double>& numbers);
+  /// What a restarted run goes on with.
+  void save(CheckpointHeader& header) const;
+  void resume(const CheckpointHeader& header);
 
   Summary summary(const System& system, const RunDeck& deck) const;
 
@@ -25,7 +25,7 @@ class RunSummary {
   double least_quality_ = 1;
   double courant_ = 0;
   StepFigures last_;
-  std::vector<std::pair<double, double>> end_errors_;  // time, error; of this run's steps
+  std::vector<std::pair<double, double>> end_errors_;  // time, error
 };
 
 /// Adds "expectations" to the summary: how many hold, and each that does not. A quantity that the

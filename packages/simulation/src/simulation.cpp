@@ -67,8 +67,8 @@ struct Simulation::Implementation {
       modules.back().location = node.location;
     }
     if (modules.empty() && diagnostics.ok())
-      diagnostics.error(deck_text.root.location,
-                        "the deck has no physics module; there are " + listed(registry.tags()));
+      diagnostics.error(deck_text.root.find_child("modules")->location,
+                        "<modules> is empty; there are " + listed(registry.tags()));
     diagnostics.throw_if_any();
   }
 
@@ -99,16 +99,21 @@ struct Simulation::Implementation {
   void set_up(const ResultFolder& folder) {
     const auto lap = setup_watch.lap();
     progress = std::make_unique<Progress>(communicator, options.quiet);
-    const std::string mesh_file = provide_mesh(folder);
-    system = build_system(communicator, deck, std::move(modules), mesh_file);
+    try {
+      system = build_system(communicator, deck, std::move(modules), provide_mesh(folder));
+    } catch (const MeshError& error) {
+      throw MeshError(deck.mesh.location.text() + ": " + error.what());
+    }
     steps = std::make_unique<StepControl>(deck.time, system->conditions->events());
     std::optional<double> keep_until;
     if (checkpoint) {
       system->integrator->resume(load_history(*system->dofs, *checkpoint));
       step = checkpoint->header().step;
-      steps->resume(checkpoint->header().numbers.at("control_step_s"));
-      figures.resume(checkpoint->header().numbers);
-      keep_until = checkpoint->header().time;
+      const CheckpointHeader& header = checkpoint->header();
+      steps->resume(header.numbers.at("control_step_s"),
+                    static_cast<int>(header.numbers.at("control_successes")));
+      figures.resume(header);
+      keep_until = header.time;
     }
     fields = std::make_unique<FieldOutput>(*system->assembler, system->tow.get(), folder.path(),
                                            checkpoint ? step : -1);
@@ -116,6 +121,14 @@ struct Simulation::Implementation {
                                             system->forces, system->probes, keep_until);
     folder.write("resolved.xml", resolved());
     progress->start(*system, deck, modules_text());
+  }
+
+  /// A restarted run continues the results beside its checkpoint; elsewhere it needs --force, like
+  /// any run, to replace finished ones.
+  void go_on_in(const std::filesystem::path& home) {
+    if (options.output.empty()) options.output = home.string();
+    std::error_code none;
+    if (std::filesystem::equivalent(options.output, home, none)) options.force = true;
   }
 
   std::string modules_text() const {
@@ -129,14 +142,15 @@ struct Simulation::Implementation {
     CheckpointHeader header;
     header.step = step;
     header.numbers["control_step_s"] = steps->step();
-    figures.save(header.numbers);
+    header.numbers["control_successes"] = steps->successes();
+    figures.save(header);
     header.texts["deck"] = deck_text.text;
     header.texts["deck_file"] = deck_text.file;
     header.texts["mesh"] = mesh_path(folder);
     save_history(*system->dofs, system->integrator->history(), header,
                  folder.file(checkpoint_name));
-    // A restarted run begins with a fresh factor; to be equal to it, this one must too.
-    system->driver->linear_solver().drop_factor();
+    // A restarted run begins without a Jacobian or factor; to be equal to it, this one must too.
+    system->driver->forget();
   }
 
   std::string mesh_path(const ResultFolder& folder) const {
@@ -213,7 +227,7 @@ struct Simulation::Implementation {
   }
 
   Summary run() {
-    const ResultFolder folder(communicator, options.output, options.force || checkpoint != nullptr);
+    const ResultFolder folder(communicator, options.output, options.force);
     set_up(folder);
     while (!steps->finished(system->integrator->history().time)) {
       StepFigures result = advance(folder);
@@ -263,10 +277,16 @@ Simulation Simulation::restart(const Communicator& communicator, ModuleRegistry 
   auto implementation =
       std::make_unique<Implementation>(communicator, std::move(registry), options);
   implementation->checkpoint = std::make_unique<CheckpointReader>(communicator, checkpoint);
-  const auto& texts = implementation->checkpoint->header().texts;
+  const CheckpointHeader& header = implementation->checkpoint->header();
+  implementation->go_on_in(std::filesystem::absolute(checkpoint).parent_path());
   Diagnostics diagnostics;
-  implementation->read(parse_deck(texts.at("deck"), texts.at("deck_file"), diagnostics),
-                       diagnostics);
+  implementation->read(
+      parse_deck(header.texts.at("deck"), header.texts.at("deck_file"), diagnostics), diagnostics);
+  if (header.time >= implementation->deck.time.end)
+    throw Error(ExitCode::usage, checkpoint + " is at t = " + write_value(header.time) +
+                                     " s, and the run ends at " +
+                                     write_value(implementation->deck.time.end) +
+                                     " s: nothing is left to do; --end sets a later end");
   return Simulation(std::move(implementation));
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "src/regions.hpp"
+#include "src/look_up.hpp"
 
 namespace hawser {
 namespace {
@@ -14,8 +14,13 @@ void check_regions(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
                    Diagnostics& diagnostics) {
   for (const PhysicsModule& module : modules)
     for (const auto& kernel : module.kernels) {
-      if (mesh.find(kernel->region()) != nullptr) continue;
       const std::string base = base_name(kernel->region());
+      if (base == kernel->region()) {
+        find_region_of(kernel->vertices_per_cell(), mesh, {base, module.location},
+                       "module '" + module.name + "'", diagnostics);
+        continue;
+      }
+      if (mesh.find(kernel->region()) != nullptr) continue;
       if (find_region(mesh, base, module.location, diagnostics) != nullptr)
         diagnostics.error(
             module.location,
@@ -27,21 +32,14 @@ void check_regions(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
 
 Probe make_probe(const DofMap& dofs, const ProbeDeck& deck, Diagnostics& diagnostics) {
   Probe probe{deck.name, deck.field.value, "", 1, -1};
-  const Region* const region = find_region(dofs.mesh(), deck.on, diagnostics);
-  const int field = dofs.find(deck.field.value);
-  if (field < 0) {
-    std::vector<std::string> names;
-    for (const auto& there : dofs.fields())
-      names.push_back(there.name);
-    diagnostics.error(deck.field.location, "no module solves for a field '" + deck.field.value +
-                                               "'; there are " + listed(names) +
-                                               did_you_mean(deck.field.value, names));
-    return probe;
-  }
+  const Region* const point =
+      find_point(dofs.mesh(), deck.on, "probe '" + deck.name + "'", diagnostics);
+  const int field = find_field(dofs, deck.field, diagnostics);
+  if (field < 0) return probe;
   probe.unit = dofs.fields()[static_cast<std::size_t>(field)].unit;
   probe.components = dofs.fields()[static_cast<std::size_t>(field)].components;
-  if (region == nullptr) return probe;
-  const std::vector<LocalIndex> rows = dofs.region_rows(field, *region);
+  if (point == nullptr) return probe;
+  const std::vector<LocalIndex> rows = dofs.region_rows(field, *point);
   if (!rows.empty() && rows.front() < dofs.owned()) probe.first_row = rows.front();
   return probe;
 }
@@ -58,10 +56,9 @@ void check_steady(const System& system, const RunDeck& deck) {
     if (pair.displacement < system.dofs->owned())
       free = free || prescribed[static_cast<std::size_t>(pair.displacement)] == 0;
   if (system.mesh.communicator.any(free))
-    throw DeckError(
-        "a steady solve needs the displacement of every structure prescribed; use "
-        "scheme=\"newmark\" and "
-        "let the structure settle");
+    throw DeckError(deck.time.location.text() +
+                    ": a steady solve needs the displacement of every structure prescribed; use "
+                    "scheme=\"newmark\" and let the structure settle");
 }
 
 }  // namespace

@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "src/regions.hpp"
+#include "hawser/base/error.hpp"
+#include "src/look_up.hpp"
 
 namespace hawser {
 namespace {
@@ -13,10 +14,15 @@ TowReport::TowReport(const DofMap& dofs, const TowDeck& deck, Diagnostics& diagn
     : dofs_(dofs),
       deck_(deck),
       axis_{std::sin(deck.angle * degree), std::cos(deck.angle * degree)} {
-  const Region* const cable = find_region(dofs.mesh(), deck.cable, diagnostics);
-  const Region* const tow_point = find_region(dofs.mesh(), deck.tow_point, diagnostics);
-  if (cable != nullptr && tow_point != nullptr)
+  const Region* const cable = find_region_of(2, dofs.mesh(), deck.cable, "<tow>", diagnostics);
+  const Region* const tow_point = find_point(dofs.mesh(), deck.tow_point, "<tow>", diagnostics);
+  find_field(dofs, {"velocity", deck.cable.location}, diagnostics);
+  if (cable == nullptr || tow_point == nullptr) return;
+  try {
     line_ = std::make_unique<LineGeometry>(dofs, *cable, *tow_point);
+  } catch (const MeshError& error) {
+    diagnostics.error(deck.cable.location, error.what());
+  }
 }
 
 std::vector<double> TowReport::positioning_errors(const std::vector<double>& positions) const {

@@ -26,6 +26,11 @@ void Newton::begin() {
   first_norm_ = previous_norm_ = norm_ = -1;
 }
 
+void Newton::forget() {
+  linear.drop_factor();
+  std::fill(round_off_.begin(), round_off_.end(), 0.0);
+}
+
 void Newton::resume() { first_iteration_ = report.iterations; }
 
 void Newton::compute_jacobian(const TpetraVector& x, int stamp) {

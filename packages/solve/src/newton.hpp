@@ -14,6 +14,7 @@ class Newton {
   Newton(NonlinearProblem& problem, LinearOptions linear, NonlinearOptions options);
 
   void begin();   ///< a new solve
+  void forget();  ///< all that earlier solves left behind
   void resume();  ///< the same solve by another method, which counts its iterations from 0 again
 
   /// An iterate's identity: two vectors with one stamp are the same, so their Jacobian is.

@@ -71,7 +71,7 @@ void NonlinearDriver::describe_row(std::function<std::string(GlobalIndex)> descr
 }
 
 void NonlinearDriver::forget() {
-  implementation_->newton.linear.drop_factor();
+  implementation_->newton.forget();
   implementation_->lagged.forget();
 }
 

@@ -20,8 +20,9 @@ bool StepControl::finished(double time) const {
 double StepControl::next(double time) const {
   const auto event = std::upper_bound(events_.begin(), events_.end(), time + slack * step_);
   const double left = event == events_.end() ? step_ : *event - time;
-  // A remainder that is only a little longer than a step is taken in one.
-  return left <= step_ * (1 + slack) ? left : step_;
+  // A remainder that is a whole step but for round-off is one: runs with another end or with other
+  // events take the very same steps up to there.
+  return left < step_ * (1 - slack) ? left : step_;
 }
 
 void StepControl::accepted() {

@@ -64,10 +64,12 @@ TEST(StepControl, GivesUpBelowTheLeastStep) {
   EXPECT_EQ(steps.step(), 2.5);
 }
 
-TEST(StepControl, ResumesWithTheStepOfACheckpoint) {
+TEST(StepControl, ResumesWithStepAndCountOfACheckpoint) {
   StepControl steps(options(), {});
-  steps.resume(5);
+  steps.resume(5, 1);
   EXPECT_EQ(steps.next(0), 5);
+  steps.accepted();  // the second in a row
+  EXPECT_EQ(steps.step(), 10);
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ class ElementKernel : public Kernel {
   explicit ElementKernel(std::string region)
       : Kernel(std::move(region), {Derived::uses.begin(), Derived::uses.end()}) {}
 
+  int vertices_per_cell() const override { return Derived::nodes; }
+
   void bind(const std::vector<Tabulation>& /*shapes*/) override { partner_ = rate_partner(); }
 
   CellStatus residual(const CellInput& cell, double* residual) const override {

@@ -45,6 +45,8 @@ class Kernel {
 
   const std::string& region() const { return region_; }
   const std::vector<FieldUse>& fields() const { return fields_; }
+  /// Of the cells it is written for: 2 on a line, 3 in a body of triangles, on a facet or patch.
+  virtual int vertices_per_cell() const = 0;
   /// Index in fields() of the velocity that a structure's displacement rate equals; -1 when not
   /// used.
   int rate_partner() const;

@@ -65,6 +65,8 @@ class PointKernel : public Kernel {
   explicit PointKernel(std::string region)
       : Kernel(std::move(region), {Derived::uses.begin(), Derived::uses.end()}) {}
 
+  int vertices_per_cell() const override { return Derived::dimension + 1; }
+
   void bind(const std::vector<Tabulation>& shapes) override {
     shapes_ = shapes;
     partner_ = rate_partner();

@@ -39,6 +39,7 @@ struct MeshDeck {
   std::optional<TowBoxDeck> tow_box;
   std::optional<WaterBoxDeck> water_box;
   std::optional<MeshFileDeck> file;
+  Location location;
   static Spec<MeshDeck> spec();
 };
 
@@ -69,6 +70,7 @@ struct ConditionsDeck {
 };
 
 struct TimeDeck : TimeScheme, StepOptions {
+  Location location;
   static Spec<TimeDeck> spec();
 };
 

@@ -18,14 +18,16 @@ class StepControl {
   StepControl(const StepOptions& options, std::vector<double> events);
 
   bool finished(double time) const;
-  /// Length of the step from `time`; ends exactly on an event or the end.
+  /// Length of the step from `time`; ends on an event or the end, but for round-off.
   double next(double time) const;
   void accepted();
   /// Halves the step; false when that would be below the least.
   bool rejected();
 
+  /// All that its further decisions depend on; part of a checkpoint.
   double step() const { return step_; }
-  void resume(double step) { step_ = step; }
+  int successes() const { return successes_; }
+  void resume(double step, int successes) { step_ = step, successes_ = successes; }
 
  private:
   StepOptions options_;

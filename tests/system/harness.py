@@ -1,0 +1,124 @@
+"""Runs the real program for tests; every file it makes lies below the build folder."""
+import argparse
+import csv
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+DECKS = ROOT / "tests/system/decks"
+
+parser = argparse.ArgumentParser()
+parser.add_argument("--build", type=Path, default=ROOT / "build")
+BUILD = parser.parse_known_args()[0].build.resolve()
+SCRATCH = BUILD / "tests/run" / Path(sys.argv[0]).stem
+
+ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+
+
+def hawser(ranks, *arguments, folder=None, seconds=60):
+    """The finished process: returncode, stdout, stderr. A run that hangs is a failure."""
+    launcher = ["mpirun", "-q", "-np", str(ranks), "--oversubscribe", "--bind-to", "none"]
+    command = [str(BUILD / "bin/hawser"), *map(str, arguments)]
+    return subprocess.run(launcher * (ranks > 1) + command, cwd=folder, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, timeout=seconds)
+
+
+def edited(name, deck="tow.xml", **changes):
+    """A copy of a deck in the scratch folder with attributes changed: time_end="40" sets the `end` of
+    <time>, and inside="..." puts elements before </hawser>."""
+    text = (DECKS / deck).read_text()
+    inside = changes.pop("inside", "")
+    for key, value in changes.items():
+        tag, attribute = key.split("_", 1)
+        text = with_attribute(text, tag.replace("_", "-"), attribute.replace("_", "-"), value)
+    path = SCRATCH / f"{name}.xml"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text.replace("</hawser>", inside + "</hawser>"))
+    return path
+
+
+def with_attribute(text, tag, attribute, value):
+    start = re.search(rf"<{tag}\b[^>]*?(?=/?>)", text)
+    if start is None:
+        raise ValueError(f"the deck has no <{tag}>")
+    element = re.sub(rf'\s{attribute}="[^"]*"', "", start.group())
+    return text[:start.start()] + f'{element} {attribute}="{value}"' + text[start.end():]
+
+
+def fresh(name):
+    """The path of a result folder that is not there."""
+    folder = SCRATCH / name
+    shutil.rmtree(folder, ignore_errors=True)
+    return folder
+
+
+def completed(ranks, *arguments, **options):
+    """Runs what must succeed."""
+    done = hawser(ranks, *arguments, **options)
+    if done.returncode != 0:
+        raise AssertionError(f"hawser {arguments} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
+    return done
+
+
+class Results:
+    """What a run left in its folder."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+
+    def table(self, name):
+        """Columns of a CSV file by name."""
+        with open(self.folder / name, newline="") as file:
+            rows = list(csv.reader(file))
+        values = np.array(rows[1:], dtype=float).reshape(len(rows) - 1, len(rows[0]))
+        return dict(zip(rows[0], values.T))
+
+    def history(self):
+        return self.table("history.csv")
+
+    def summary(self):
+        return json.loads((self.folder / "summary.json").read_text())
+
+    def steps(self, grid="flow"):
+        return sorted(int(path.stem.rsplit("-", 1)[1]) for path in self.folder.glob(f"{grid}-*.h5"))
+
+    def fields(self, step, grid="flow"):
+        """Points, cells and fields by name; rows are ordered by numbers that no rank count changes."""
+        with h5py.File(self.folder / f"{grid}-{step:06d}.h5") as file:
+            return {"points": file["points"][:], "cells": file["cells"][:],
+                    **{name: data[:] for name, data in file["fields"].items()}}
+
+
+def run(name, deck, ranks=1, *arguments):
+    """Results of a deck in a folder of their own."""
+    folder = fresh(name)
+    completed(ranks, "run", deck, "-o", folder, "-q", *arguments)
+    return Results(folder)
+
+
+def difference(a, b):
+    """Largest difference, relative to the largest value."""
+    return float(np.abs(a - b).max() / max(np.abs(b).max(), np.finfo(float).tiny))
+
+
+class SystemTest(unittest.TestCase):
+    def assertFails(self, code, sentence, ranks, *arguments):
+        """One line on stderr that matches the regular expression, whatever the number of ranks."""
+        done = hawser(ranks, *arguments)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        self.assertRegex(done.stderr, rf"\A{sentence}\n\Z")
+        return done
+
+
+def main():
+    unittest.main(argv=sys.argv[:1], verbosity=2)

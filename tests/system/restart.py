@@ -1,0 +1,71 @@
+"""A run continued from a checkpoint equals the uninterrupted one: to the last bit on the same ranks."""
+import unittest
+
+import numpy as np
+
+from harness import Results, completed, difference, edited, fresh, main, run
+
+# The run is stopped at an end of its own, a step after the checkpoint that it is continued from.
+PLAIN = dict(output_checkpoint_every="3")
+# 0.1 is no binary number: here the run is stopped at the checkpoint itself.
+TENTHS = dict(output_checkpoint_every="3", time_step="6.7", time_end="67")
+# Steps are rejected and cut, and grow again after the checkpoint.
+CUT = dict(output_checkpoint_every="3", newton_max_iterations="4", time_end="160", time_grow_after="3",
+           output_fields_every="1")
+COUNTS = ("steps", "steps_rejected", "newton_iterations", "linear_iterations", "mesh_quality_min", "courant_max",
+          "end_error_m", "end_error_change_last_quarter_m", "tow_force_n_per_m")
+
+
+class Restart(unittest.TestCase):
+    def pair(self, name, changes, stop, ranks, other_ranks=None):
+        """An uninterrupted run, and one that was stopped and continued."""
+        deck = edited(name, **changes)
+        whole = run(f"{name}.whole.np{ranks}", deck, ranks)
+        folder = fresh(f"{name}.parts.np{ranks}")
+        completed(ranks, "run", deck, "-o", folder, "-q", "--end", stop)
+        stopped_at = Results(folder).history()["t_s"][-1]
+        self.assertEqual(stopped_at, float(stop))
+        completed(other_ranks or ranks, "restart", folder / "checkpoint.h5", "-q", "--end", changes.get("time_end", "200"))
+        return whole, Results(folder)
+
+    def assertSame(self, whole, parts):
+        for table in "history.csv", "cable.csv":
+            self.assertEqual((parts.folder / table).read_text(), (whole.folder / table).read_text(), table)
+        a, b = whole.summary(), parts.summary()
+        self.assertEqual({name: b[name] for name in COUNTS}, {name: a[name] for name in COUNTS})
+        for grid in "flow", "cable":
+            self.assertEqual(parts.steps(grid), whole.steps(grid))
+            self.assertEqual((parts.folder / f"{grid}.xdmf").read_text(), (whole.folder / f"{grid}.xdmf").read_text())
+            for step in whole.steps(grid):
+                there, here = whole.fields(step, grid), parts.fields(step, grid)
+                for name in there:
+                    np.testing.assert_array_equal(here[name], there[name], f"{grid} {name}, step {step}", strict=True)
+
+    def test_on_the_same_ranks(self):
+        for ranks in 1, 2:
+            with self.subTest(ranks=ranks):
+                self.assertSame(*self.pair("plain", PLAIN, "140", ranks))
+
+    def test_stopped_at_a_step_that_is_no_binary_number(self):
+        self.assertSame(*self.pair("tenths", TENTHS, "40.2", 1))
+
+    def test_while_steps_are_cut(self):
+        whole, parts = self.pair("cut", CUT, "120", 1)
+        self.assertGreater(whole.summary()["steps_rejected"], 0)
+        self.assertGreater(len(set(whole.history()["step_s"])), 1)
+        self.assertSame(whole, parts)
+
+    def test_on_other_ranks(self):
+        tight = dict(PLAIN, newton_tolerance="1e-11", linear_tolerance="1e-12", linear_keep_factor="false")
+        whole, parts = self.pair("other", tight, "140", 2, other_ranks=3)
+        there, here = whole.fields(10), parts.fields(10)
+        displacement = difference(here["displacement"], there["displacement"])
+        force = difference(parts.history()["tow_force_n_per_m"], whole.history()["tow_force_n_per_m"])
+        print(f"2 ranks, then 3: displacement {displacement:.1e}, force {force:.1e}")
+        self.assertLessEqual(displacement, 1e-8)
+        self.assertLessEqual(force, 1e-8)
+        self.assertGreater(displacement, 0, "not a copy of the same file")
+
+
+if __name__ == "__main__":
+    main()
