@@ -7,8 +7,8 @@ from harness import Results, completed, difference, edited, fresh, main, run
 
 # The run is stopped at an end of its own, a step after the checkpoint that it is continued from.
 PLAIN = dict(output_checkpoint_every="3")
-# 0.1 is no binary number: here the run is stopped at the checkpoint itself.
-TENTHS = dict(output_checkpoint_every="3", time_step="6.7", time_end="67")
+# 20/3 is no binary number, and the run is stopped at the checkpoint itself: its last step must be a whole one.
+THIRDS = dict(output_checkpoint_every="3", time_step="6.666666666666667", time_end="66.66666666666667")
 # Steps are rejected and cut, and grow again after the checkpoint.
 CUT = dict(output_checkpoint_every="3", newton_max_iterations="4", time_end="160", time_grow_after="3",
            output_fields_every="1")
@@ -47,7 +47,7 @@ class Restart(unittest.TestCase):
                 self.assertSame(*self.pair("plain", PLAIN, "140", ranks))
 
     def test_stopped_at_a_step_that_is_no_binary_number(self):
-        self.assertSame(*self.pair("tenths", TENTHS, "40.2", 1))
+        self.assertSame(*self.pair("thirds", THIRDS, "40", 1))
 
     def test_while_steps_are_cut(self):
         whole, parts = self.pair("cut", CUT, "120", 1)
