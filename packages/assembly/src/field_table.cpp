@@ -7,6 +7,21 @@
 
 namespace hawser {
 
+namespace {
+
+bool agree(const FieldDescription& field, RateRule rule, const FieldUse& use) {
+  return field.components == use.components && field.basis == use.basis && field.unit == use.unit &&
+         field.residual_unit == use.residual_unit && field.split == use.split &&
+         rule == use.rate_rule;
+}
+
+[[noreturn]] void throw_conflict(const PhysicsModule& module, const FieldUse& use) {
+  throw PluginError("module <" + module.name + "> and another one describe the field '" + use.name +
+                    "' differently: unit, components, basis, split and rate must agree");
+}
+
+}  // namespace
+
 FieldTable gather_fields(const std::vector<PhysicsModule>& modules) {
   struct Entry {
     FieldDescription description;
@@ -28,16 +43,18 @@ FieldTable gather_fields(const std::vector<PhysicsModule>& modules) {
           entry = entries.end() - 1;
         }
         FieldDescription& field = entry->description;
-        if (field.components != use.components || field.basis != use.basis ||
-            field.unit != use.unit || field.split != use.split || entry->rule != use.rate_rule)
-          throw PluginError("module <" + module.name + "> and an earlier one describe the field '" +
-                            use.name +
-                            "' differently: unit, components, basis, split and rate must agree");
+        if (!agree(field, entry->rule, use)) throw_conflict(module, use);
         entry->kinematic = entry->kinematic || use.role == Role::kinematic;
         if (std::find(field.regions.begin(), field.regions.end(), kernel->region()) ==
             field.regions.end())
           field.regions.push_back(kernel->region());
       }
+  for (const PhysicsModule& module : modules)
+    for (const auto& kernel : module.kernels)
+      for (const FieldUse& use : kernel->fields())
+        for (const Entry& entry : entries)
+          if (entry.description.name == use.name && !agree(entry.description, entry.rule, use))
+            throw_conflict(module, use);
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     if (a.kinematic != b.kinematic) return a.kinematic;
     return a.description.components > b.description.components;

@@ -25,55 +25,77 @@ void visit_rows(const DofMap& dofs, const PhysicsModule& module, Visit&& visit) 
   }
 }
 
+bool drives_a_structure(const PhysicsModule& module) {
+  for (const auto& kernel : module.kernels)
+    for (const FieldUse& use : kernel->fields())
+      if (use.role == Role::kinematic) return true;
+  return false;
+}
+
+/// Calls visit(module index, use, row) for every owned row that a module writes or drives.
+template <class Visit>
+void visit_all(const DofMap& dofs, const std::vector<PhysicsModule>& modules, Visit&& visit) {
+  for (std::size_t m = 0; m < modules.size(); ++m)
+    visit_rows(dofs, modules[m], [&](const FieldUse& use, LocalIndex first) {
+      for (int c = 0; c < use.components; ++c)
+        visit(static_cast<int>(m), use, static_cast<std::size_t>(first + c));
+    });
+}
+
+void claim_rows(const DofMap& dofs, const std::vector<PhysicsModule>& modules, Governance& result) {
+  visit_all(dofs, modules, [&](int /*module*/, const FieldUse& use, std::size_t row) {
+    if (use.role == Role::kinematic) result.governor[row] = Governance::kinematic;
+  });
+  std::string conflict;
+  visit_all(dofs, modules, [&](int module, const FieldUse& use, std::size_t row) {
+    int& governor = result.governor[row];
+    if (use.role != Role::governs || governor == Governance::kinematic || governor == module)
+      return;
+    if (governor == Governance::shared) {
+      governor = module;
+      return;
+    }
+    const PhysicsModule& first = modules[static_cast<std::size_t>(governor)];
+    const PhysicsModule& second = modules[static_cast<std::size_t>(module)];
+    conflict = second.location.text() + ": <" + second.name + "> governs the field '" + use.name +
+               "' at nodes where <" + first.name + "> of " + first.location.text() +
+               " does already; let one of them cover both regions";
+  });
+  dofs.mesh().communicator.together([&] {
+    if (!conflict.empty()) throw DeckError(conflict);
+  });
+}
+
+// A node of a structure belongs to the structure's block with all that moves with it.
+void assign_blocks(const DofMap& dofs, const std::vector<PhysicsModule>& modules,
+                   Governance& result) {
+  const auto on_structure = [&](std::size_t row) {
+    const RowInfo& info = dofs.info(static_cast<LocalIndex>(row));
+    const int displacement = dofs.find("displacement");
+    if (displacement < 0) return false;
+    const LocalIndex driven = dofs.first_row(displacement, info.kind, info.point);
+    return driven >= 0 &&
+           result.governor[static_cast<std::size_t>(driven)] == Governance::kinematic;
+  };
+  std::vector<char> drives;
+  for (const PhysicsModule& module : modules)
+    drives.push_back(drives_a_structure(module) ? 1 : 0);
+  visit_all(dofs, modules, [&](int module, const FieldUse& /*use*/, std::size_t row) {
+    int& block = result.block_of_row[row];
+    if (result.governor[row] >= 0)
+      block = result.governor[row];
+    else if (block < 0 || (drives[static_cast<std::size_t>(module)] != 0 && on_structure(row)))
+      block = module;
+  });
+}
+
 }  // namespace
 
 Governance find_governors(const DofMap& dofs, const std::vector<PhysicsModule>& modules) {
   const auto owned = static_cast<std::size_t>(dofs.owned());
   Governance result{std::vector<int>(owned, Governance::shared), std::vector<int>(owned, -1)};
-  std::string conflict;
-  for (int m = 0; m < static_cast<int>(modules.size()); ++m) {
-    visit_rows(dofs, modules[static_cast<std::size_t>(m)],
-               [&](const FieldUse& use, LocalIndex row) {
-                 for (int c = 0; c < use.components; ++c) {
-                   const auto r = static_cast<std::size_t>(row + c);
-                   int& governor = result.governor[r];
-                   if (use.role == Role::kinematic)
-                     governor = Governance::kinematic;
-                   else if (use.role == Role::governs && governor == Governance::shared)
-                     governor = m;
-                   else if (use.role == Role::governs && governor >= 0 && governor != m)
-                     conflict = "modules <" + modules[static_cast<std::size_t>(governor)].name +
-                                "> and <" + modules[static_cast<std::size_t>(m)].name +
-                                "> both govern the field '" + use.name +
-                                "' on the same nodes; give them separate regions";
-                   if (result.block_of_row[r] < 0) result.block_of_row[r] = m;
-                 }
-               });
-  }
-  dofs.mesh().communicator.together([&] {
-    if (!conflict.empty()) throw DeckError(conflict);
-  });
-  // A node of a structure belongs to the structure's block with all that moves with it.
-  for (int m = 0; m < static_cast<int>(modules.size()); ++m)
-    visit_rows(dofs, modules[static_cast<std::size_t>(m)],
-               [&](const FieldUse& use, LocalIndex row) {
-                 const RowInfo& info = dofs.info(row);
-                 const int displacement = dofs.find("displacement");
-                 if (displacement < 0) return;
-                 const LocalIndex driven = dofs.first_row(displacement, info.kind, info.point);
-                 const bool structure =
-                     driven >= 0 && driven < dofs.owned() &&
-                     result.governor[static_cast<std::size_t>(driven)] == Governance::kinematic;
-                 for (int c = 0; c < use.components; ++c) {
-                   const auto r = static_cast<std::size_t>(row + c);
-                   if (result.governor[r] >= 0) result.block_of_row[r] = result.governor[r];
-                   bool drives = false;
-                   for (const auto& kernel : modules[static_cast<std::size_t>(m)].kernels)
-                     for (const FieldUse& other : kernel->fields())
-                       drives = drives || other.role == Role::kinematic;
-                   if (structure && drives) result.block_of_row[r] = m;
-                 }
-               });
+  claim_rows(dofs, modules, result);
+  assign_blocks(dofs, modules, result);
   return result;
 }
 

@@ -73,9 +73,21 @@ TEST(Governance, TwoGovernorsOfEqualRankAreAnErrorOfTheDeck) {
   const DofMap dofs(mesh, gather_fields(modules).fields);
   EXPECT_THAT(
       [&] { find_governors(dofs, modules); },
-      testing::ThrowsMessage<DeckError>(
-          "modules <springs> and <elastic> both govern the field 'displacement' on the same "
-          "nodes; give them separate regions"));
+      testing::ThrowsMessage<DeckError>("(default): <elastic> governs the field 'displacement' at "
+                                        "nodes where <springs> of (default) "
+                                        "does already; let one of them cover both regions"));
+}
+
+TEST(FieldTable, AReaderSeesAFieldAsItIs) {
+  FieldUse smooth = velocity(Role::adds);
+  smooth.basis = Basis::p2;
+  auto flow =
+      module_with("flow", std::make_unique<LoadKernel>("water", 6, std::vector<FieldUse>{smooth}));
+  auto reader = module_with(
+      "reader",
+      std::make_unique<LoadKernel>("water", 3, std::vector<FieldUse>{velocity(Role::reads)}));
+  EXPECT_THAT([&] { gather_fields(list(std::move(reader), std::move(flow))); },
+              testing::ThrowsMessage<PluginError>(testing::HasSubstr("'velocity' differently")));
 }
 
 TEST(FieldTable, OneFieldHasOneDescription) {
@@ -86,7 +98,7 @@ TEST(FieldTable, OneFieldHasOneDescription) {
   const auto modules = list(flow(), std::move(other));
   EXPECT_THAT([&] { gather_fields(modules); },
               testing::ThrowsMessage<PluginError>(testing::HasSubstr(
-                  "module <other> and an earlier one describe the field 'velocity' differently")));
+                  "module <other> and another one describe the field 'velocity' differently")));
 }
 
 /// Cells of a region that touch the vertex of a row: 6 at the most.

@@ -57,6 +57,9 @@ double Expression::derivative(const SpaceTime& point, double SpaceTime::*variabl
   SpaceTime ahead = point, behind = point;
   ahead.*variable += step;
   behind.*variable -= step;
+  // At the edge of the formula's domain, such as sqrt(t) at the start, from the inner side only.
+  if (!std::isfinite(formula_->evaluate(behind))) behind = point;
+  if (!std::isfinite(formula_->evaluate(ahead))) ahead = point;
   // The step that was really made, after rounding.
   return (evaluate(ahead) - evaluate(behind)) / (ahead.*variable - behind.*variable);
 }

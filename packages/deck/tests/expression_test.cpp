@@ -70,6 +70,8 @@ TEST(Expression, Derivatives) {
   EXPECT_NEAR(Expression("t^3").time_derivative(point), 27, 1e-8);
   EXPECT_EQ(Expression("t").gradient(point)[0], 0);
   EXPECT_EQ(Expression(5).time_derivative(point), 0);
+  // Where the formula ends, from the inner side: sqrt(t)^3 has no value before the start.
+  EXPECT_NEAR(Expression("sqrt(t)^3").time_derivative(SpaceTime{}), 0, 1e-2);
 }
 
 TEST(Expression, FaultsHaveTheirOwnSentences) {

@@ -38,6 +38,7 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, Diagnostics& di
   entry.value = deck.value;
   entry.from = deck.from.value_or(entry.from);
   entry.until = deck.until.value_or(entry.until);
+  entry.is_displacement = deck.field.value == "displacement";
   const int field = find_field(dofs_, deck.field, diagnostics);
   if (field < 0) {
     for (const std::string& name : deck.on.value)
@@ -48,18 +49,24 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, Diagnostics& di
   const bool all = deck.component.value == "all";
   entry.first_component = all ? 0 : deck.component.value[0] - 'x';
   if (!all && entry.first_component >= components)
-    diagnostics.error(deck.component.location,
-                      "field '" + deck.field.value + "' has no component " + deck.component.value +
-                          " here; it has " + component_names(components));
+    diagnostics.error(deck.component.location, "field '" + deck.field.value +
+                                                   "' has no component " + deck.component.value +
+                                                   " here; it has " + component_names(components));
   const std::size_t wanted = all ? static_cast<std::size_t>(components) : 1;
   if (entry.value.size() != wanted)
-    diagnostics.error(deck.value.location,
-                      std::to_string(wanted) + (wanted == 1 ? " value" : " values") + " needed for " +
-                          (all ? "the components " + component_names(components)
-                               : "component " + deck.component.value) +
-                          " of field '" + deck.field.value + "', " +
-                          std::to_string(entry.value.size()) +
-                          " given; formulas are set apart by ';'");
+    diagnostics.error(
+        deck.value.location,
+        std::to_string(wanted) + (wanted == 1 ? " value" : " values") + " needed for " +
+            (all ? "the components " + component_names(components)
+                 : "component " + deck.component.value) +
+            " of field '" + deck.field.value + "', " + std::to_string(entry.value.size()) +
+            " given; formulas are set apart by ';'");
+  for (const Expression& value : entry.value)
+    if (entry.is_displacement && value.depends_on_moved_position())
+      diagnostics.error(
+          deck.value.location,
+          "a displacement cannot depend on x, y or z, the moved position that follows "
+          "from it; use the reference coordinates X, Y, Z");
   for (const std::string& name : deck.on.value) {
     const Region* const region = find_region(dofs_.mesh(), name, deck.on.location, diagnostics);
     if (region == nullptr) continue;
@@ -90,12 +97,15 @@ SpaceTime Conditions::point(LocalIndex row, const State& state) const {
 }
 
 void Conditions::set_initial(State& state) const {
-  for (const Entry& entry : initial_) {
-    dofs_.mesh().communicator.together([&] { set_initial(entry, state); });
-    // A region's vertex may be a ghost here although none of the region's cells are here.
-    assembler_.spread(state.value);
-    assembler_.spread(state.rate);
-  }
+  // Displacements first: the moved position of the other fields' values follows from them.
+  for (const bool moving : {true, false})
+    for (const Entry& entry : initial_) {
+      if (entry.is_displacement != moving) continue;
+      dofs_.mesh().communicator.together([&] { set_initial(entry, state); });
+      // A region's vertex may be a ghost here although none of the region's cells are here.
+      assembler_.spread(state.value);
+      assembler_.spread(state.rate);
+    }
 }
 
 void Conditions::set_initial(const Entry& entry, State& state) const {
@@ -110,15 +120,16 @@ void Conditions::set_initial(const Entry& entry, State& state) const {
       if (moved < 0 || !value.depends_on_moved_position()) continue;
       const auto slope = value.gradient(at);  // the node is carried along
       for (int j = 0; j < dofs_.mesh().dimension; ++j)
-        state.rate[row] += slope[static_cast<std::size_t>(j)] *
-                           state.rate[static_cast<std::size_t>(moved + j)];
+        state.rate[row] +=
+            slope[static_cast<std::size_t>(j)] * state.rate[static_cast<std::size_t>(moved + j)];
     }
   }
 }
 
 std::vector<PrescribedRow> Conditions::prescribed(const State& state) const {
   std::vector<PrescribedRow> result;
-  const double slack = 1e-9 * std::min(state.step, 1.0);
+  // The slack of step control: an end of a step this near to an edge is the edge.
+  const double slack = std::isfinite(state.step) ? 1e-6 * state.step : 0;
   dofs_.mesh().communicator.together([&] {
     for (const Entry& entry : prescribed_) {
       if (state.time <= entry.from + slack || state.time > entry.until + slack) continue;

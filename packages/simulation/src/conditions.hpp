@@ -29,6 +29,7 @@ class Conditions {
  private:
   struct Entry {
     std::vector<LocalIndex> first_rows;  // local, owned and ghost
+    bool is_displacement = false;
     int first_component = 0;
     Expressions value;
     double from = -std::numeric_limits<double>::infinity();

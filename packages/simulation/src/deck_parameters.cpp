@@ -28,7 +28,9 @@ Spec<LinearOptions> linear_spec() {
                  "Keep a factor for later matrices until it costs too many iterations.")
       .attribute("refresh-ratio", &P::refresh_ratio, "1", at_least(1),
                  "A kept factor is renewed beyond this multiple of its first iteration count ...")
-      .attribute("refresh-slack", &P::refresh_slack, at_least(0), "... plus this many.");
+      .attribute("refresh-slack", &P::refresh_slack, at_least(0), "... plus this many.")
+      .attribute("repeatable", &P::repeatable,
+                 "MUMPS on one rank, the same to the last bit each time; else on all ranks.");
 }
 
 Spec<NonlinearOptions> newton_spec() {
@@ -40,6 +42,8 @@ Spec<NonlinearOptions> newton_spec() {
                  "Iterations before a step is rejected.")
       .attribute("line-search", &P::line_search,
                  "Halve an update that is not admissible or explodes.")
+      .attribute("lagged", &P::lagged,
+                 "First iterate with the Jacobian of an earlier step, Anderson-accelerated.")
       .attribute("forcing", &P::forcing,
                  "Looser linear solves far from the solution (Eisenstat-Walker).")
       .attribute("forcing-max", &P::forcing_max, "1", between(1e-12, 0.9),
@@ -168,15 +172,26 @@ Spec<TimeDeck> TimeDeck::spec() {
       .choice("scheme", &P::steady, {{"newmark", false}, {"steady", true}},
               "Newmark's method, or one solve without rates.")
       .attribute("beta", &P::beta, "1", between(0.25, 1), "Newmark's beta.")
-      .attribute("gamma", &P::gamma, "1", between(0.5, 1),
-                 "Newmark's gamma; 0.5 is second order, more damps.")
+      .attribute(
+          "gamma", &P::gamma, "1", between(0.5, 1),
+          "Newmark's gamma; more than 0.5 damps. 0.5 is second order, but lets accelerations and "
+          "forces ring after any kink in time.")
       .attribute("step", &P::step, "s", positive(), "Length of a step.")
       .attribute("least-step", &P::least, "s", non_negative(),
                  "A rejected step is halved down to this length; 0 for a thousandth of the step.")
       .attribute("end", &P::end, "s", positive(), "Time at which the run ends.")
       .attribute("grow-after", &P::grow_after, at_least(1),
                  "Accepted steps in a row after which a cut step is doubled again.")
-      .location(&P::location);
+      .location(&P::location)
+      .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
+        if (2 * p.beta < p.gamma)
+          diagnostics.error(
+              where, "beta is " + write_value(p.beta) + " and gamma " + write_value(p.gamma) +
+                         ": Newmark's method is unstable; beta must be at least gamma/2");
+        if (p.least > p.step)
+          diagnostics.error(where, "least-step is " + write_value(p.least) +
+                                       " s, longer than the step of " + write_value(p.step) + " s");
+      });
 }
 
 Spec<SolverDeck> SolverDeck::spec() {

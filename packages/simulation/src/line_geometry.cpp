@@ -59,13 +59,14 @@ LineGeometry::LineGeometry(const DofMap& dofs, const Region& line, const Region&
     previous = current;
     current = next;
   }
-  if (ids_.size() != expected)
-    throw MeshError("region '" + line.name + "' is not one unbranched line that starts at '" +
-                    start.name + "'");
-
   std::map<GlobalIndex, std::size_t> place;
   for (std::size_t i = 0; i < ids_.size(); ++i)
     place.emplace(ids_[i], i);
+  // Round a ring the walk comes to its first node again.
+  if (place.size() != expected)
+    throw MeshError("region '" + line.name + "' is not one unbranched line that starts at '" +
+                    start.name + "'");
+
   for (LocalIndex vertex = 0; vertex < mesh.vertices.owned; ++vertex) {
     const auto found = place.find(id(vertex));
     if (found != place.end()) owned_.push_back({vertex, found->second});

@@ -40,8 +40,8 @@ const Region* find_region_of(int vertices_per_cell, const Mesh& mesh,
   const auto fitting = names_of(mesh, [&](const Region& candidate) {
     return candidate.vertices_per_cell == vertices_per_cell;
   });
-  diagnostics.error(name.location, user + " needs a region of " + kind(vertices_per_cell) + ", and '" +
-                                       name.value + "' is one of " +
+  diagnostics.error(name.location, user + " needs a region of " + kind(vertices_per_cell) +
+                                       ", and '" + name.value + "' is one of " +
                                        kind(region->vertices_per_cell) + "; there are " +
                                        listed(fitting));
   return nullptr;

@@ -104,7 +104,8 @@ struct Simulation::Implementation {
     } catch (const MeshError& error) {
       throw MeshError(deck.mesh.location.text() + ": " + error.what());
     }
-    steps = std::make_unique<StepControl>(deck.time, system->conditions->events());
+    steps = std::make_unique<StepControl>(
+        deck.time, deck.time.steady ? std::vector<double>() : system->conditions->events());
     std::optional<double> keep_until;
     if (checkpoint) {
       system->integrator->resume(load_history(*system->dofs, *checkpoint));
@@ -178,7 +179,8 @@ struct Simulation::Implementation {
   /// Steps until one is accepted; writes a checkpoint and throws when the least step fails too.
   StepFigures advance(const ResultFolder& folder) {
     while (true) {
-      const double length = steps->next(system->integrator->history().time);
+      const TimeHistory& history = system->integrator->history();
+      const double length = steps->next(history.time, history.step);
       try {
         StepFigures result = attempt(length);
         steps->accepted();
@@ -186,7 +188,7 @@ struct Simulation::Implementation {
       } catch (const SolveError& error) {
         figures.rejected();
         progress->rejected(system->integrator->history().time, length, error.what());
-        if (!deck.time.steady && steps->rejected()) continue;
+        if (!deck.time.steady && steps->rejected(length)) continue;
         if (!deck.time.steady) save_checkpoint(folder);
         throw SolveError(std::string(error.what()) +
                          (deck.time.steady
@@ -282,7 +284,7 @@ Simulation Simulation::restart(const Communicator& communicator, ModuleRegistry 
   Diagnostics diagnostics;
   implementation->read(
       parse_deck(header.texts.at("deck"), header.texts.at("deck_file"), diagnostics), diagnostics);
-  if (header.time >= implementation->deck.time.end)
+  if (StepControl(implementation->deck.time, {}).finished(header.time))
     throw Error(ExitCode::usage, checkpoint + " is at t = " + write_value(header.time) +
                                      " s, and the run ends at " +
                                      write_value(implementation->deck.time.end) +

@@ -24,8 +24,8 @@ SchwarzFactor::~SchwarzFactor() = default;
 void SchwarzFactor::symbolic(const Teuchos::RCP<const TpetraMatrix>& matrix) {
   Teuchos::ParameterList list;
   list.set("schwarz: overlap level", options_.overlap);
-  // Field after field, as the rows are numbered, an incomplete factor needs 2-3 times the
-  // iterations.
+  // Rows come vertex by vertex; reordered one by one the factor needs a sixth fewer iterations on
+  // one rank (25 for 30 in a tow) and the same time.
   list.set("schwarz: use reordering", true);
   list.sublist("schwarz: reordering list").set("order_method", "rcm");
   list.set("inner preconditioner name", "RILUK");

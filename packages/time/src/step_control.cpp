@@ -1,10 +1,11 @@
 #include "hawser/time/step_control.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hawser {
 namespace {
-constexpr double slack = 1e-9;  // of a step: times that differ by less are the same
+constexpr double slack = 1e-6;  // of a step: times that differ by less are the same
 }
 
 StepControl::StepControl(const StepOptions& options, std::vector<double> events)
@@ -17,12 +18,16 @@ bool StepControl::finished(double time) const {
   return time >= options_.end - slack * options_.step;
 }
 
-double StepControl::next(double time) const {
-  const auto event = std::upper_bound(events_.begin(), events_.end(), time + slack * step_);
-  const double left = event == events_.end() ? step_ : *event - time;
-  // A remainder that is a whole step but for round-off is one: runs with another end or with other
-  // events take the very same steps up to there.
-  return left < step_ * (1 - slack) ? left : step_;
+double StepControl::next(double time, double previous) const {
+  const double wanted = previous > 0 ? std::min(step_, 2 * previous) : step_;
+  const auto event = std::upper_bound(events_.begin(), events_.end(), time + slack * options_.step);
+  if (event == events_.end()) return wanted;
+  const double left = *event - time;
+  const double steps = std::max(1.0, std::ceil(left / wanted - slack));
+  // Whole steps but for round-off stay whole: runs with another end or with other events take the
+  // very same steps up to there.
+  const bool whole = std::abs(left - steps * wanted) <= slack * wanted;
+  return whole || steps > 2 ? wanted : left / steps;
 }
 
 void StepControl::accepted() {
@@ -31,10 +36,10 @@ void StepControl::accepted() {
   successes_ = 0;
 }
 
-bool StepControl::rejected() {
+bool StepControl::rejected(double attempted) {
   successes_ = 0;
-  if (step_ / 2 < options_.least) return false;
-  step_ /= 2;
+  if (attempted / 2 < options_.least) return false;
+  step_ = attempted / 2;
   return true;
 }
 

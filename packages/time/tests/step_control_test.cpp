@@ -1,9 +1,13 @@
 #include "hawser/time/step_control.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace hawser {
 namespace {
+
+using testing::DoubleNear;
+using testing::Pointwise;
 
 StepOptions options() {
   StepOptions result;
@@ -11,12 +15,25 @@ StepOptions options() {
   return result;
 }
 
+std::vector<double> times(const StepControl& steps) {
+  std::vector<double> result;
+  for (double t = 0, previous = 0; !steps.finished(t); result.push_back(t)) {
+    previous = steps.next(t, previous);
+    t += previous;
+  }
+  return result;
+}
+
 TEST(StepControl, EndsStepsOnEventsAndOnTheEnd) {
   StepControl steps(options(), {30, 70});
-  std::vector<double> times;
-  for (double t = 0; !steps.finished(t); times.push_back(t))
-    t += steps.next(t);
-  EXPECT_EQ(times, (std::vector<double>{20, 30, 50, 70, 90, 100}));
+  EXPECT_EQ(times(steps), (std::vector<double>{15, 30, 50, 70, 85, 100}));
+}
+
+TEST(StepControl, SplitsWhatRemainsToAnEventEvenly) {
+  StepControl steps(options(), {40.001, 41});
+  // 20 s, then half of 20.001 s each; after the second event the steps double from its 0.999 s.
+  EXPECT_THAT(times(steps), Pointwise(DoubleNear(1e-9), {20.0, 30.0005, 40.001, 41.0, 42.998,
+                                                         46.994, 54.986, 70.97, 85.485, 100.0}));
 }
 
 TEST(StepControl, DoesNotLeaveARemainderOfRoundOff) {
@@ -25,21 +42,21 @@ TEST(StepControl, DoesNotLeaveARemainderOfRoundOff) {
   StepControl steps(tenth, {});
   int taken = 0;
   for (double t = 0; !steps.finished(t); ++taken)
-    t += steps.next(t);
+    t += steps.next(t, 0);
   EXPECT_EQ(taken, 10);  // although ten times 0.1 is less than 1 in floating point
 }
 
 TEST(StepControl, PassesAnEventOnce) {
   StepControl steps(options(), {20});
-  EXPECT_EQ(steps.next(20 - 1e-12), 20);
+  EXPECT_EQ(steps.next(20 - 1e-12, 20), 20);
 }
 
 TEST(StepControl, HalvesARejectedStepAndGrowsAgain) {
   StepControl steps(options(), {});
-  EXPECT_TRUE(steps.rejected());
-  EXPECT_EQ(steps.next(0), 10);
-  EXPECT_TRUE(steps.rejected());
-  EXPECT_EQ(steps.next(0), 5);
+  EXPECT_TRUE(steps.rejected(20));
+  EXPECT_EQ(steps.next(0, 0), 10);
+  EXPECT_TRUE(steps.rejected(10));
+  EXPECT_EQ(steps.next(0, 0), 5);
   for (const double wanted : {5.0, 10.0, 10.0, 20.0, 20.0}) {
     steps.accepted();
     EXPECT_EQ(steps.step(), wanted);
@@ -48,26 +65,33 @@ TEST(StepControl, HalvesARejectedStepAndGrowsAgain) {
 
 TEST(StepControl, ARejectionStartsTheCountAgain) {
   StepControl steps(options(), {});
-  steps.rejected();
+  steps.rejected(20);
   steps.accepted();
-  steps.rejected();
+  steps.rejected(10);
   steps.accepted();
   EXPECT_EQ(steps.step(), 5);
 }
 
 TEST(StepControl, GivesUpBelowTheLeastStep) {
   StepControl steps(options(), {});
-  EXPECT_TRUE(steps.rejected());   // 10
-  EXPECT_TRUE(steps.rejected());   // 5
-  EXPECT_TRUE(steps.rejected());   // 2.5
-  EXPECT_FALSE(steps.rejected());  // 1.25 would be less than 2
+  EXPECT_TRUE(steps.rejected(20));    // 10
+  EXPECT_TRUE(steps.rejected(10));    // 5
+  EXPECT_TRUE(steps.rejected(5));     // 2.5
+  EXPECT_FALSE(steps.rejected(2.5));  // 1.25 would be less than 2
   EXPECT_EQ(steps.step(), 2.5);
+}
+
+TEST(StepControl, HalvesWhatWasAttemptedNotWhatWasWanted) {
+  StepControl steps(options(), {8});
+  EXPECT_EQ(steps.next(0, 0), 8);
+  EXPECT_TRUE(steps.rejected(8));
+  EXPECT_EQ(steps.next(0, 0), 4);
 }
 
 TEST(StepControl, ResumesWithStepAndCountOfACheckpoint) {
   StepControl steps(options(), {});
   steps.resume(5, 1);
-  EXPECT_EQ(steps.next(0), 5);
+  EXPECT_EQ(steps.next(0, 0), 5);
   steps.accepted();  // the second in a row
   EXPECT_EQ(steps.step(), 10);
 }

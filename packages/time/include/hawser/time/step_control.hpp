@@ -18,11 +18,13 @@ class StepControl {
   StepControl(const StepOptions& options, std::vector<double> events);
 
   bool finished(double time) const;
-  /// Length of the step from `time`; ends on an event or the end, but for round-off.
-  double next(double time) const;
+  /// Length of the step from `time`, after one of length `previous` (s; 0 at the start): ends on an
+  /// event or the end, but for round-off. What remains to an event is split evenly and a step is at
+  /// most twice the previous one: a rate found over a sliver would be noise in the next long step.
+  double next(double time, double previous) const;
   void accepted();
-  /// Halves the step; false when that would be below the least.
-  bool rejected();
+  /// Half of the attempted length from now on; false when that would be below the least.
+  bool rejected(double attempted);
 
   /// All that its further decisions depend on; part of a checkpoint.
   double step() const { return step_; }
