@@ -55,6 +55,14 @@ class Restart(unittest.TestCase):
         self.assertGreater(len(set(whole.history()["step_s"])), 1)
         self.assertSame(whole, parts)
 
+    def test_in_a_folder_that_was_moved(self):
+        deck = edited("moved", **PLAIN)
+        before, after = fresh("moved.before"), fresh("moved.after")
+        completed(1, "run", deck, "-o", before, "-q", "--end", "140")
+        before.rename(after)
+        completed(1, "restart", after / "checkpoint.h5", "-q", "--end", "200")
+        self.assertEqual(Results(after).history()["t_s"][-1], 200)
+
     def test_on_other_ranks(self):
         tight = dict(PLAIN, newton_tolerance="1e-11", linear_tolerance="1e-12", linear_keep_factor="false")
         whole, parts = self.pair("other", tight, "140", 2, other_ranks=3)

@@ -12,8 +12,6 @@ void line(const std::string& text) {
   std::fflush(stdout);
 }
 
-std::string short_name(const std::string& name) { return name.substr(0, 4); }
-
 }  // namespace
 
 Progress::Progress(const Communicator& communicator, bool quiet)
@@ -38,8 +36,7 @@ void Progress::solved(const NonlinearReport& report) {
   if (!prints_ || report.history.empty()) return;
   norms_.clear();
   for (const BlockNorm& norm : report.history.back())
-    norms_ += fmt::format(" {}.{} {:.0e} {}", short_name(norm.block), short_name(norm.field),
-                          norm.residual, norm.unit);
+    norms_ += fmt::format(" {}.{} {:.0e} {}", norm.block, norm.field, norm.residual, norm.unit);
 }
 
 void Progress::rejected(double time, double length, const std::string& why) const {

@@ -32,6 +32,8 @@ struct Simulation::Implementation {
   RunDeck deck;
   std::vector<PhysicsModule> modules;
   std::unique_ptr<CheckpointReader> checkpoint;  // when restarted
+  std::filesystem::path home;                    // the checkpoint's folder
+  std::filesystem::path mesh_file;
 
   std::unique_ptr<System> system;
   std::unique_ptr<StepControl> steps;
@@ -82,7 +84,7 @@ struct Simulation::Implementation {
 
   // A restarted run uses the very mesh of the run that it continues.
   std::string provide_mesh(const ResultFolder& folder) const {
-    if (checkpoint) return checkpoint->header().texts.at("mesh");
+    if (checkpoint) return (home / checkpoint->header().texts.at("mesh")).string();
     if (deck.mesh.file) {
       const std::filesystem::path name = deck.mesh.file->name;
       return name.is_absolute()
@@ -100,7 +102,8 @@ struct Simulation::Implementation {
     const auto lap = setup_watch.lap();
     progress = std::make_unique<Progress>(communicator, options.quiet);
     try {
-      system = build_system(communicator, deck, std::move(modules), provide_mesh(folder));
+      mesh_file = std::filesystem::absolute(provide_mesh(folder));
+      system = build_system(communicator, deck, std::move(modules), mesh_file.string());
     } catch (const MeshError& error) {
       throw MeshError(deck.mesh.location.text() + ": " + error.what());
     }
@@ -126,7 +129,8 @@ struct Simulation::Implementation {
 
   /// A restarted run continues the results beside its checkpoint; elsewhere it needs --force, like
   /// any run, to replace finished ones.
-  void go_on_in(const std::filesystem::path& home) {
+  void go_on_in(const std::filesystem::path& folder) {
+    home = folder;
     if (options.output.empty()) options.output = home.string();
     std::error_code none;
     if (std::filesystem::equivalent(options.output, home, none)) options.force = true;
@@ -147,17 +151,13 @@ struct Simulation::Implementation {
     figures.save(header);
     header.texts["deck"] = deck_text.text;
     header.texts["deck_file"] = deck_text.file;
-    header.texts["mesh"] = mesh_path(folder);
+    // A mesh beside the checkpoint is named without its folder, so that both can be moved.
+    const bool beside = mesh_file.parent_path() == std::filesystem::absolute(folder.path());
+    header.texts["mesh"] = (beside ? mesh_file.filename() : mesh_file).string();
     save_history(*system->dofs, system->integrator->history(), header,
                  folder.file(checkpoint_name));
     // A restarted run begins without a Jacobian or factor; to be equal to it, this one must too.
     system->driver->forget();
-  }
-
-  std::string mesh_path(const ResultFolder& folder) const {
-    if (checkpoint) return checkpoint->header().texts.at("mesh");
-    return deck.mesh.file ? std::filesystem::absolute(provide_mesh(folder)).string()
-                          : std::filesystem::absolute(folder.file("mesh.msh")).string();
   }
 
   /// One attempt at a step; SolveError when there is no solution to be had.
