@@ -59,13 +59,15 @@ struct Assembler::Implementation {
     for (std::size_t row = 0; row < governance.governor.size(); ++row)
       if (governance.governor[row] == Governance::kinematic) driven[row] = 1;
     spread(driven);
-    const int velocity = dofs->find("velocity");
     for (LocalIndex row = 0; row < dofs->rows(); ++row) {
       if (driven[static_cast<std::size_t>(row)] == 0) continue;
       const RowInfo& info = dofs->info(row);
+      const FieldDescription& field = dofs->fields()[static_cast<std::size_t>(info.field)];
+      const int velocity = dofs->find(field.follows);
       const LocalIndex first = velocity < 0 ? -1 : dofs->first_row(velocity, info.kind, info.point);
       if (first < 0)
-        throw std::logic_error("a structure's displacement needs a velocity at the same nodes");
+        throw std::logic_error("a structure's '" + field.name + "' needs the field '" +
+                               field.follows + "' at the same nodes");
       pairs.push_back({row, first + info.component});
     }
   }

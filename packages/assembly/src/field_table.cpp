@@ -36,10 +36,16 @@ FieldTable gather_fields(const std::vector<PhysicsModule>& modules) {
         auto entry = std::find_if(entries.begin(), entries.end(),
                                   [&](const Entry& e) { return e.description.name == use.name; });
         if (entry == entries.end()) {
-          entries.push_back(
-              {{use.name, use.unit, use.residual_unit, use.components, use.basis, use.split, {}},
-               use.rate_rule,
-               false});
+          entries.push_back({{use.name,
+                              use.unit,
+                              use.residual_unit,
+                              use.components,
+                              use.basis,
+                              use.split,
+                              use.follows == nullptr ? "" : use.follows,
+                              {}},
+                             use.rate_rule,
+                             false});
           entry = entries.end() - 1;
         }
         FieldDescription& field = entry->description;

@@ -71,11 +71,12 @@ void assign_blocks(const DofMap& dofs, const std::vector<PhysicsModule>& modules
                    Governance& result) {
   const auto on_structure = [&](std::size_t row) {
     const RowInfo& info = dofs.info(static_cast<LocalIndex>(row));
-    const int displacement = dofs.find("displacement");
-    if (displacement < 0) return false;
-    const LocalIndex driven = dofs.first_row(displacement, info.kind, info.point);
-    return driven >= 0 &&
-           result.governor[static_cast<std::size_t>(driven)] == Governance::kinematic;
+    for (int field = 0; field < static_cast<int>(dofs.fields().size()); ++field) {
+      const LocalIndex first = dofs.first_row(field, info.kind, info.point);
+      if (first >= 0 && result.governor[static_cast<std::size_t>(first)] == Governance::kinematic)
+        return true;
+    }
+    return false;
   };
   std::vector<char> drives;
   for (const PhysicsModule& module : modules)

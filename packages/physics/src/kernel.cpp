@@ -6,7 +6,9 @@ namespace hawser {
 
 int Kernel::rate_partner() const {
   for (std::size_t f = 0; f < fields_.size(); ++f)
-    if (std::string_view(fields_[f].name) == "velocity") return static_cast<int>(f);
+    for (const FieldUse& use : fields_)
+      if (use.follows != nullptr && std::string_view(use.follows) == fields_[f].name)
+        return static_cast<int>(f);
   return -1;
 }
 

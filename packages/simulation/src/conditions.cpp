@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/physics/field_use.hpp"
 #include "src/look_up.hpp"
 
 namespace hawser {
@@ -38,7 +39,7 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, Diagnostics& di
   entry.value = deck.value;
   entry.from = deck.from.value_or(entry.from);
   entry.until = deck.until.value_or(entry.until);
-  entry.is_displacement = deck.field.value == "displacement";
+  entry.is_displacement = deck.field.value == field_name::displacement;
   const int field = find_field(dofs_, deck.field, diagnostics);
   if (field < 0) {
     for (const std::string& name : deck.on.value)
@@ -77,7 +78,7 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, Diagnostics& di
 }
 
 LocalIndex Conditions::displacement_at(LocalIndex row) const {
-  const int displacement = dofs_.find("displacement");
+  const int displacement = dofs_.find(field_name::displacement);
   if (displacement < 0) return -1;
   const RowInfo& info = dofs_.info(row);
   if (info.kind != PointKind::split_vertex)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hawser/physics/field_use.hpp"
+
 namespace hawser {
 namespace {
 
@@ -94,7 +96,7 @@ void FieldOutput::write_flow(int step, const State& state) {
       for (std::size_t c = 0; first >= 0 && c < components; ++c)
         field.values[p * components + c] = state.value[static_cast<std::size_t>(first) + c];
     }
-    if (field.name == "displacement")
+    if (field.name == field_name::displacement)
       for (std::size_t i = 0; i < coordinates.size(); ++i)
         coordinates[i] += field.values[i];
     fields.push_back(std::move(field));
@@ -105,11 +107,11 @@ void FieldOutput::write_flow(int step, const State& state) {
 void FieldOutput::write_cable(int step, const State& state) {
   const LineGeometry& line = tow_->line();
   const std::vector<double> x = line.positions(state);
-  const std::vector<double> v = line.gather("velocity", state);
+  const std::vector<double> v = line.gather(field_name::velocity, state);
   const std::vector<double> errors = tow_->positioning_errors(x);
   std::vector<double> coordinates;
   PointField arc{"arc_length", "m", 1, {}}, error{"positioning_error", "m", 1, {}};
-  PointField velocity{"velocity", "m/s", 2, {}};
+  PointField velocity{field_name::velocity, "m/s", 2, {}};
   for (const auto& node : line.owned()) {
     for (std::size_t j = 0; j < 2; ++j) {
       coordinates.push_back(x[2 * node.place + j]);

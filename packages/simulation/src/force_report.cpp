@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "hawser/physics/field_use.hpp"
 #include "src/look_up.hpp"
 
 namespace hawser {
@@ -11,7 +12,7 @@ ForceReport::ForceReport(const Assembler& assembler, const std::vector<PhysicsMo
     : assembler_(assembler), deck_(deck) {
   const DofMap& dofs = assembler.dofs();
   const Region* const region = find_region(dofs.mesh(), deck.on, diagnostics);
-  const int velocity = find_field(dofs, {"velocity", deck.on.location}, diagnostics);
+  const int velocity = find_field(dofs, {field_name::velocity, deck.on.location}, diagnostics);
   if (region != nullptr && velocity >= 0)
     for (const LocalIndex row : dofs.region_rows(velocity, *region))
       if (row < dofs.owned()) rows_.push_back(row);

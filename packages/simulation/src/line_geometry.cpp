@@ -5,6 +5,7 @@
 #include <map>
 
 #include "hawser/base/error.hpp"
+#include "hawser/physics/field_use.hpp"
 
 namespace hawser {
 namespace {
@@ -118,7 +119,7 @@ std::vector<double> LineGeometry::gather_cells(const std::vector<double>& values
 }
 
 std::vector<double> LineGeometry::positions(const State& state) const {
-  std::vector<double> result = gather("displacement", state);
+  std::vector<double> result = gather(field_name::displacement, state);
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] += reference_[i];
   return result;

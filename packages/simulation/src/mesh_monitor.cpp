@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/physics/field_use.hpp"
+
 namespace hawser {
 
 MeshFigures inspect_mesh(const DofMap& dofs, const State& state) {
   const Mesh& mesh = dofs.mesh();
-  const int displacement = dofs.find("displacement");
-  const int velocity = dofs.find("velocity");
+  const int displacement = dofs.find(field_name::displacement);
+  const int velocity = dofs.find(field_name::velocity);
   const auto nodal = [&](int field, LocalIndex vertex, const std::vector<double>& values,
                          std::size_t j) {
     const LocalIndex first = field < 0 ? -1 : dofs.first_row(field, PointKind::vertex, vertex);

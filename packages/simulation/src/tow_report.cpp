@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/physics/field_use.hpp"
 #include "src/look_up.hpp"
 
 namespace hawser {
@@ -16,7 +17,7 @@ TowReport::TowReport(const DofMap& dofs, const TowDeck& deck, Diagnostics& diagn
       axis_{std::sin(deck.angle * degree), std::cos(deck.angle * degree)} {
   const Region* const cable = find_region_of(2, dofs.mesh(), deck.cable, "<tow>", diagnostics);
   const Region* const tow_point = find_point(dofs.mesh(), deck.tow_point, "<tow>", diagnostics);
-  find_field(dofs, {"velocity", deck.cable.location}, diagnostics);
+  find_field(dofs, {field_name::velocity, deck.cable.location}, diagnostics);
   if (cable == nullptr || tow_point == nullptr) return;
   try {
     line_ = std::make_unique<LineGeometry>(dofs, *cable, *tow_point);
@@ -53,7 +54,7 @@ TowMeasures TowReport::measure(const State& state, const std::vector<double>& re
   result.cable_angle = std::atan2(x[0] - x[tail], x[1] - x[tail + 1]) / degree;
 
   double force[2] = {0, 0};
-  const int velocity = dofs_.find("velocity");
+  const int velocity = dofs_.find(field_name::velocity);
   for (const auto& node : line_->owned())
     if (node.place == 0)
       for (int j = 0; j < 2; ++j)

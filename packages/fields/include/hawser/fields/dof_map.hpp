@@ -17,7 +17,8 @@ struct FieldDescription {
   std::string residual_unit;
   int components = 1;
   Basis basis = Basis::p1;
-  bool split = false;                  ///< lives on split vertices: doubled across slit lines
+  bool split = false;     ///< lives on split vertices: doubled across slit lines
+  std::string follows{};  ///< field whose value its rate equals on structures, or empty
   std::vector<std::string> regions{};  ///< the field lives on their union
 };
 

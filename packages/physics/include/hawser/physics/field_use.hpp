@@ -35,6 +35,9 @@ struct FieldUse {
   Role role = Role::reads;
   unsigned needs = need::value;  ///< which of value, gradient, rate, accepted the residual looks at
   Basis basis = Basis::p1;
+  /// On a structure's nodes the field's rate is the value of this one (a displacement's: the
+  /// velocity).
+  const char* follows = nullptr;
 
   constexpr FieldUse as(Role new_role, unsigned new_needs) const {
     FieldUse copy = *this;
@@ -44,12 +47,28 @@ struct FieldUse {
   }
 };
 
+namespace field_name {
+constexpr const char* velocity = "velocity";
+constexpr const char* pressure = "pressure";
+constexpr const char* displacement = "displacement";  ///< the one field that moves the mesh
+}  // namespace field_name
+
 /// The fields of the towed-cable system in D dimensions.
 template <int D>
 struct StandardFields {
-  static constexpr FieldUse velocity{"velocity", "m/s", "N/m", D, RateRule::dynamic, false};
-  static constexpr FieldUse pressure{"pressure", "Pa", "m^2/s", 1, RateRule::none, true};
-  static constexpr FieldUse displacement{"displacement", "m", "m", D, RateRule::quotient, false};
+  static constexpr FieldUse velocity{field_name::velocity, "m/s", "N/m", D,
+                                     RateRule::dynamic,    false};
+  static constexpr FieldUse pressure{field_name::pressure, "Pa", "m^2/s", 1, RateRule::none, true};
+  static constexpr FieldUse displacement{field_name::displacement,
+                                         "m",
+                                         "m",
+                                         D,
+                                         RateRule::quotient,
+                                         false,
+                                         Role::reads,
+                                         need::value,
+                                         Basis::p1,
+                                         field_name::velocity};
 };
 
 }  // namespace hawser
