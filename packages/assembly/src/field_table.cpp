@@ -42,8 +42,8 @@ FieldTable gather_fields(const std::vector<PhysicsModule>& modules) {
                               use.components,
                               use.basis,
                               use.split,
-                              use.follows == nullptr ? "" : use.follows,
-                              {}},
+                              {},
+                              use.follows == nullptr ? "" : use.follows},
                              use.rate_rule,
                              false});
           entry = entries.end() - 1;
