@@ -102,8 +102,9 @@ struct Simulation::Implementation {
     const auto lap = setup_watch.lap();
     progress = std::make_unique<Progress>(communicator, options.quiet);
     try {
-      mesh_file = std::filesystem::absolute(provide_mesh(folder));
-      system = build_system(communicator, deck, std::move(modules), mesh_file.string());
+      const std::string file = provide_mesh(folder);
+      mesh_file = std::filesystem::absolute(file);
+      system = build_system(communicator, deck, std::move(modules), file);
     } catch (const MeshError& error) {
       throw MeshError(deck.mesh.location.text() + ": " + error.what());
     }
