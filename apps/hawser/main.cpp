@@ -127,7 +127,9 @@ int guarded_main(int argc, char** argv, const Communicator& world) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Tpetra::ScopeGuard tpetra(&argc, &argv);
+  // Not our arguments: Kokkos would answer --help with its own.
+  int no_arguments = 1;
+  Tpetra::ScopeGuard tpetra(&no_arguments, &argv);
   try {
     return guarded_main(argc, argv, Communicator(MPI_COMM_WORLD));
   } catch (const std::exception& error) {

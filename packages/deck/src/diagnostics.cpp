@@ -7,7 +7,9 @@
 namespace hawser {
 
 void Diagnostics::error(const Location& where, const std::string& sentence) {
-  errors_.push_back({where, sentence});
+  // Two kernels of one module may stumble over the same name: it is one fault.
+  const auto same = [&](const Entry& e) { return e.where == where && e.sentence == sentence; };
+  if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back({where, sentence});
 }
 
 void Diagnostics::warning(const Location& where, const std::string& sentence) {

@@ -61,13 +61,13 @@ History::History(const Communicator& communicator, std::string path, std::vector
   });
 }
 
-void History::append(const std::vector<double>& row) {
-  if (row.size() != column_count_) throw std::logic_error("history: a row of another length");
+void History::append(const std::vector<double>& rows) {
+  if (rows.size() % column_count_ != 0) throw std::logic_error("history: a row of another length");
   communicator_.on_root([&] {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      std::fprintf(file_.get(), "%s%.12g", i == 0 ? "" : ",", row[i]);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const bool ends_row = (i + 1) % column_count_ == 0;
+      std::fprintf(file_.get(), "%.12g%c", rows[i], ends_row ? '\n' : ',');
     }
-    std::fputc('\n', file_.get());
     if (std::fflush(file_.get()) != 0) throw_cannot("write", path_, errno);
   });
 }

@@ -67,8 +67,11 @@ void Histories::append_cable(const State& state) {
   if (tow_ == nullptr) return;
   const std::vector<double> x = tow_->line().positions(state);
   const std::vector<double> errors = tow_->positioning_errors(x);
+  std::vector<double> rows;
   for (std::size_t i = 0; i < errors.size(); ++i)
-    cable_->append({state.time, tow_->line().arc_length()[i], x[2 * i], x[2 * i + 1], errors[i]});
+    rows.insert(rows.end(),
+                {state.time, tow_->line().arc_length()[i], x[2 * i], x[2 * i + 1], errors[i]});
+  cable_->append(rows);
 }
 
 }  // namespace hawser

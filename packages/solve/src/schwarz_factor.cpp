@@ -40,7 +40,13 @@ void SchwarzFactor::symbolic(const Teuchos::RCP<const TpetraMatrix>& matrix) {
 void SchwarzFactor::numeric() {
   // Ifpack2 13.2 copies the overlap's values when it initialises and never again.
   if (communicator_.size() > 1) ifpack_->schwarz->initialize();
-  ifpack_->schwarz->compute();
+  communicator_.together([&] {
+    try {
+      ifpack_->schwarz->compute();
+    } catch (const std::exception& error) {
+      throw SolveError(std::string("linear solver: the incomplete factor failed: ") + error.what());
+    }
+  });
 
   // A vanishing pivot leaves infinities in the factor without a word.
   TpetraVector ones(ifpack_->matrix->getRangeMap());

@@ -25,8 +25,9 @@ class History {
   History(const Communicator& communicator, std::string path, std::vector<Column> columns,
           std::optional<double> keep_until = {});
 
-  /// One value per column; what rank 0 gives is written, 12 digits, and flushed.
-  void append(const std::vector<double>& row);
+  /// One value per column, for one row or several; what rank 0 gives is written, 12 digits, and
+  /// flushed.
+  void append(const std::vector<double>& rows);
 
  private:
   struct CloseFile {
