@@ -37,7 +37,8 @@ class Assembler {
                 int module = all_modules) const;
 
   /// The tangent of all kernels in system().matrix, before any condition. Same errors.
-  /// Only columns of fields whose bit (index in dofs().fields()) is set in `columns` are filled.
+  /// Only columns of fields whose bit (index in dofs().fields()) is set in `columns` need be right;
+  /// a kernel may fill others too.
   void tangent(const State& state, unsigned columns = ~0U);
 
   /// product[owned row] = tangent times direction (per local row), without the matrix. Same errors.

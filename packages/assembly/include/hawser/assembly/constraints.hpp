@@ -27,9 +27,6 @@ class Constraints {
 
   /// Owned rows only; a row that is given twice keeps the last.
   void prescribe(std::vector<PrescribedRow> rows);
-  bool is_prescribed(LocalIndex owned_row) const {
-    return prescribed_[static_cast<std::size_t>(owned_row)] >= 0;
-  }
   const std::vector<PrescribedRow>& prescribed() const { return rows_; }
 
   /// Replaces the constrained rows of an assembled residual and its magnitude.

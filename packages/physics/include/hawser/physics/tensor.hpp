@@ -20,14 +20,6 @@ struct Tensor {
   const T& operator()(int i, int j) const { return component[i][j]; }
 };
 
-template <class T, int D>
-Tensor<T, D> identity() {
-  Tensor<T, D> result;
-  for (int i = 0; i < D; ++i)
-    result(i, i) = 1.0;
-  return result;
-}
-
 template <class A, class B, int D>
 A dot(const Vector<A, D>& a, const Vector<B, D>& b) {
   A sum = a[0] * b[0];
