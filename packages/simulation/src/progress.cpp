@@ -23,13 +23,16 @@ void Progress::note(const std::string& sentence) const {
   if (prints_) line(sentence);
 }
 
-void Progress::start(const System& system, const RunDeck& deck, const std::string& modules) {
+void Progress::start(const System& system, const RunDeck& deck) {
   start_ = std::chrono::steady_clock::now();
   if (!prints_) return;
   if (!deck.title.empty()) line(deck.title);
+  std::vector<std::string> modules;
+  for (const PhysicsModule& module : system.modules)
+    modules.push_back(module.name);
   line(fmt::format("{} nodes, {} unknowns, {} rank(s); modules: {}",
                    system.mesh.vertices.global_count, system.dofs->global_count(),
-                   system.mesh.communicator.size(), modules));
+                   system.mesh.communicator.size(), listed(modules)));
 }
 
 void Progress::solved(const NonlinearReport& report) {

@@ -13,7 +13,7 @@ class Progress {
   Progress(const Communicator& communicator, bool quiet);
 
   void note(const std::string& sentence) const;
-  void start(const System& system, const RunDeck& deck, const std::string& modules);
+  void start(const System& system, const RunDeck& deck);
   void solved(const NonlinearReport& report);
   void rejected(double time, double length, const std::string& why) const;
   void stepped(const StepFigures& figures, double end);

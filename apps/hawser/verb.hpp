@@ -1,0 +1,28 @@
+#pragma once
+// A verb is one thing that a user does. It adds its subcommand to the command line and says what is
+// to be done when that was given; files of verbs know nothing of each other.
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <variant>
+#include <vector>
+
+#include "hawser/base/communicator.hpp"
+
+namespace hawser::program {
+
+/// On all ranks together, with MPI and Kokkos running. Returns the exit code.
+using OnRanks = std::function<int(const Communicator& world)>;
+/// In one process without MPI, which is never started: quick, and free to start programs that are
+/// themselves parallel. Returns the exit code.
+using Alone = std::function<int()>;
+
+struct Verb {
+  CLI::App* command;
+  std::variant<OnRanks, Alone> action;
+};
+
+std::vector<Verb> run_verbs(CLI::App& app);   ///< run, restart, check
+std::vector<Verb> deck_verbs(CLI::App& app);  ///< modules, describe
+
+}  // namespace hawser::program

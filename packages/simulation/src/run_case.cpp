@@ -1,0 +1,74 @@
+#include "src/run_case.hpp"
+
+#include <filesystem>
+
+#include "hawser/base/error.hpp"
+#include "hawser/simulation/plugin_loader.hpp"
+
+namespace hawser {
+namespace {
+
+void load_plugins(const Communicator& communicator, const std::vector<PluginDeck>& plugins,
+                  const std::string& folder, ModuleRegistry& registry) {
+  for (const PluginDeck& plugin : plugins)
+    communicator.together([&] {
+      try {
+        load_plugin(plugin.name.value, folder, registry);
+      } catch (const PluginError& error) {
+        throw PluginError(plugin.name.location.text() + ": " + error.what());
+      }
+    });
+}
+
+std::vector<PhysicsModule> make_modules(const DeckNode& root, const RunDeck& deck,
+                                        const ModuleRegistry& registry, Diagnostics& diagnostics) {
+  std::vector<PhysicsModule> modules;
+  for (const DeckNode& node : deck.modules.modules) {
+    if (!is_known_child(node, "modules", registry.tags(), diagnostics)) continue;
+    modules.push_back(registry.find(node.tag)->make(node, diagnostics));
+    modules.back().location = node.location;
+  }
+  if (modules.empty() && diagnostics.ok())
+    diagnostics.error(root.find_child("modules")->location,
+                      "<modules> is empty; there are " + listed(registry.tags()));
+  return modules;
+}
+
+}  // namespace
+
+RunCase read_case(const Communicator& communicator, Deck text, const RunOptions& options,
+                  ModuleRegistry& registry, Diagnostics& diagnostics) {
+  RunCase run;
+  run.text = std::move(text);
+  run.deck = RunDeck::spec().read(run.text.root, diagnostics);
+  TimeDeck& time = run.deck.time;
+  if (options.end) time.end = *options.end;
+  if (time.steady) time.step = time.end;
+  if (time.least == 0) time.least = time.step / 1000;
+  load_plugins(communicator, run.deck.plugins, options.plugin_folder, registry);
+  run.modules = make_modules(run.text.root, run.deck, registry, diagnostics);
+  diagnostics.throw_if_any();
+  return run;
+}
+
+std::string resolved(const Deck& deck, const ModuleRegistry& registry) {
+  return resolved_deck(deck.root, RunDeck::spec().node_spec(), [&](const std::string& tag) {
+    const ModuleRegistry::Entry* const entry = registry.find(tag);
+    return entry == nullptr ? nullptr : &entry->spec;
+  });
+}
+
+ProvidedMesh provide_mesh(const Communicator& communicator, const RunCase& run,
+                          const std::string& place) {
+  const MeshDeck& mesh = run.deck.mesh;
+  if (mesh.file) {
+    const std::filesystem::path name = mesh.file->name;
+    const std::filesystem::path folder = std::filesystem::path(run.text.file).parent_path();
+    return {(folder / name).string(), {}};
+  }
+  const std::string made = mesh.tow_box ? generate_mesh(communicator, mesh.tow_box->box(), place)
+                                        : generate_mesh(communicator, mesh.water_box->box(), place);
+  return {place, made};
+}
+
+}  // namespace hawser
