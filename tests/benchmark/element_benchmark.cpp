@@ -13,7 +13,7 @@ namespace hawser {
 namespace {
 
 struct Triangle {
-  FluidKernel kernel{"water", {1000, 300, {0, 0}}};
+  FluidKernel<UniformForce> kernel{"water", {1000, 300}, {}};
   std::vector<double> coordinates = {0, 0, 20, 1, 8, 18};
   std::vector<double> velocity = {0.1, -0.5, 0.2, -0.4, 0.0, -0.45};
   std::vector<double> pressure = {10, 20, -5};

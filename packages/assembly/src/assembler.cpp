@@ -129,7 +129,8 @@ void Assembler::residual(const State& state, std::vector<double>& total,
     CellGatherer gatherer(cells, dofs.mesh(), state);
     std::vector<double> local(n);
     for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
-      failure.note(cells.kernel->residual(gatherer.gather(cell), local.data()), cells, cell);
+      failure.note([&] { return cells.kernel->residual(gatherer.gather(cell), local.data()); },
+                   cells, cell);
       const std::size_t begin = static_cast<std::size_t>(cell) * n;
       for (std::size_t i = 0; i < n; ++i) {
         if (counts[begin + i] == 0) continue;
@@ -157,7 +158,10 @@ void Assembler::tangent(const State& state, unsigned columns) {
     std::vector<double> local_tangent(n * n);
     for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
       failure.note(
-          cells.kernel->tangent(gatherer.gather(cell), active, local.data(), local_tangent.data()),
+          [&] {
+            return cells.kernel->tangent(gatherer.gather(cell), active, local.data(),
+                                         local_tangent.data());
+          },
           cells, cell);
       const int* const positions = &cells.positions[static_cast<std::size_t>(cell) * n * n];
       for (std::size_t k = 0; k < n * n; ++k)
@@ -178,9 +182,12 @@ void Assembler::tangent_product(const State& state, const std::vector<double>& d
     std::vector<double> local(n);
     std::vector<double> local_tangent(n * n);
     for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
-      failure.note(cells.kernel->tangent(gatherer.gather(cell), all_columns, local.data(),
-                                         local_tangent.data()),
-                   cells, cell);
+      failure.note(
+          [&] {
+            return cells.kernel->tangent(gatherer.gather(cell), all_columns, local.data(),
+                                         local_tangent.data());
+          },
+          cells, cell);
       const std::size_t begin = static_cast<std::size_t>(cell) * n;
       for (std::size_t i = 0; i < n; ++i) {
         if (cells.writes[begin + i] == 0) continue;

@@ -9,6 +9,7 @@ namespace hawser {
 void CellFailure::throw_together(const Mesh& mesh, const State& state) const {
   mesh.communicator.together([&] {
     if (status == CellStatus::ok) return;
+    if (!sentence.empty()) throw SolveError(sentence);
     const Region& region = *cells->region;
     const auto per_cell = static_cast<std::size_t>(region.vertices_per_cell);
     double centre[3] = {0, 0, 0};

@@ -1,4 +1,7 @@
 #pragma once
+#include <string>
+
+#include "hawser/base/error.hpp"
 #include "src/kernel_cells.hpp"
 
 namespace hawser {
@@ -8,8 +11,17 @@ struct CellFailure {
   CellStatus status = CellStatus::ok;
   const KernelCells* cells = nullptr;
   LocalIndex cell = 0;
+  std::string sentence;  ///< when an expression of the deck said why
 
-  void note(CellStatus found, const KernelCells& where, LocalIndex which) {
+  /// `evaluate` gives a CellStatus, or throws SolveError: on this rank only, so far.
+  template <class Evaluate>
+  void note(Evaluate&& evaluate, const KernelCells& where, LocalIndex which) {
+    CellStatus found = CellStatus::not_finite;
+    try {
+      found = evaluate();
+    } catch (const SolveError& error) {
+      if (status == CellStatus::ok) sentence = error.what();
+    }
     if (status != CellStatus::ok || found == CellStatus::ok) return;
     status = found;
     cells = &where;

@@ -1,5 +1,7 @@
 #include "ale_fluid.hpp"
 
+#include <algorithm>
+
 #include "fluid_kernel.hpp"
 #include "hawser/physics/module_registry.hpp"
 #include "outflow_kernel.hpp"
@@ -33,7 +35,7 @@ struct AleFluid {
   std::string region;
   double density = 1000;
   double viscosity = 1;
-  std::vector<double> body_force = {0, 0};
+  Expressions body_force = {0, 0};
   std::vector<Outflow> outflows;
 
   static Spec<AleFluid> spec() {
@@ -46,19 +48,25 @@ struct AleFluid {
         .attribute("density", &P::density, "kg/m^3", positive(), "Mass density.")
         .attribute("viscosity", &P::viscosity, "Pa s", required() && positive(),
                    "Dynamic viscosity (density times the kinematic, or eddy, viscosity).")
-        .attribute("body-force", &P::body_force, "m/s^2", length(2), "Body force per unit mass.")
+        .attribute("body-force", &P::body_force, "m/s^2", length(2),
+                   "Body force per unit mass: two numbers or expressions of x y z (moved), X Y Z "
+                   "(reference), t.")
         .children(&P::outflows);
   }
 };
 
+std::unique_ptr<Kernel> make_fluid_kernel(const AleFluid& deck) {
+  const FluidProperties fluid{deck.density, deck.viscosity};
+  const Expressions& force = deck.body_force;
+  if (std::all_of(force.begin(), force.end(), [](const auto& f) { return f.is_constant(); }))
+    return std::make_unique<FluidKernel<UniformForce>>(deck.region, fluid,
+                                                       UniformForce{{force[0]({}), force[1]({})}});
+  return std::make_unique<FluidKernel<VaryingForce>>(deck.region, fluid, VaryingForce{force});
+}
+
 PhysicsModule make_ale_fluid(const AleFluid& deck) {
   PhysicsModule module{"ale-fluid", "fluid", {}, {}};
-  FluidProperties fluid;
-  fluid.density = deck.density;
-  fluid.viscosity = deck.viscosity;
-  for (std::size_t i = 0; i < 2; ++i)
-    fluid.body_force[i] = deck.body_force[i];
-  module.kernels.push_back(std::make_unique<FluidKernel>(deck.region, fluid));
+  module.kernels.push_back(make_fluid_kernel(deck));
   for (const Outflow& outflow : deck.outflows)
     module.kernels.push_back(std::make_unique<OutflowKernel>(
         outflow.on + "/facets", OutflowProperties{outflow.pressure, deck.density, deck.viscosity,

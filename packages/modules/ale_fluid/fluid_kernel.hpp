@@ -4,32 +4,57 @@
 #include <array>
 
 #include "hawser/physics/moving_frame.hpp"
+#include "hawser/physics/place_function.hpp"
 #include "hawser/physics/point_kernel.hpp"
 
 namespace hawser {
 
 struct FluidProperties {
-  double density = 1000;          ///< kg/m^3
-  double viscosity = 1;           ///< dynamic, Pa s
-  double body_force[2] = {0, 0};  ///< per unit mass, m/s^2
+  double density = 1000;  ///< kg/m^3
+  double viscosity = 1;   ///< dynamic, Pa s
+};
+
+/// The same force per mass everywhere, m/s^2.
+struct UniformForce {
+  static constexpr unsigned displacement_needs = 0;
+  double value[2] = {0, 0};
+  template <class Point, class Displacement>
+  double operator()(int i, const Point& /*at*/, const Displacement& /*d*/) const {
+    return value[i];
+  }
+};
+
+/// A force per mass that varies with the place. Only here does the displacement's value cost
+/// derivative directions.
+struct VaryingForce {
+  static constexpr unsigned displacement_needs = need::value;
+  Expressions components;
+  template <class Point, class Displacement>
+  auto operator()(int i, const Point& at, const Displacement& d) const {
+    return at_place(components[static_cast<std::size_t>(i)], at.position, d.value, at.time);
+  }
 };
 
 /// Linear velocity and pressure with residual-based SUPG, PSPG and LSIC stabilisation, time scales
 /// from the metric of the moved element (Bazilevs et al., Comput. Methods Appl. Mech. Engrg. 197
 /// (2007) 173-201).
-class FluidKernel : public PointKernel<FluidKernel> {
+template <class Force>
+class FluidKernel : public PointKernel<FluidKernel<Force>> {
  public:
   static constexpr int dimension = 2;
   static constexpr std::array<FieldUse, 3> uses = {
       StandardFields<2>::velocity.as(Role::adds, need::value | need::rate | need::gradient),
       StandardFields<2>::pressure.as(Role::adds, need::value | need::gradient),
-      StandardFields<2>::displacement.as(Role::reads, need::rate | need::gradient)};
+      StandardFields<2>::displacement.as(Role::reads,
+                                         need::rate | need::gradient | Force::displacement_needs)};
   static constexpr Slot<0> velocity{};
   static constexpr Slot<1> pressure{};
   static constexpr Slot<2> displacement{};
 
-  FluidKernel(std::string region, const FluidProperties& properties)
-      : PointKernel(std::move(region)), properties_(properties) {}
+  FluidKernel(std::string region, const FluidProperties& properties, Force force)
+      : PointKernel<FluidKernel>(std::move(region)),
+        properties_(properties),
+        force_(std::move(force)) {}
 
   template <class Point, class Form>
   void weak_form(const Point& at, Form& out) const {
@@ -51,7 +76,7 @@ class FluidKernel : public PointKernel<FluidKernel> {
     const Vector<T, D> convected = multiply(grad_v, convection);
     Vector<T, D> inertia;  // rho (dv/dt + c . grad v - b)
     for (int i = 0; i < D; ++i)
-      inertia[i] = rho * (v.rate[i] + convected[i] - properties_.body_force[i]);
+      inertia[i] = rho * (v.rate[i] + convected[i] - force_(i, at, at[displacement]));
     const T divergence = trace(grad_v);
 
     const Scales<T> tau = time_scales<T>(at, frame, convection);
@@ -142,6 +167,7 @@ class FluidKernel : public PointKernel<FluidKernel> {
   }
 
   FluidProperties properties_;
+  Force force_;
 };
 
 }  // namespace hawser

@@ -8,6 +8,7 @@ namespace {
 
 struct MeshMotion : MeshStiffness {
   std::string region;
+  Expressions body_force;
 
   static Spec<MeshMotion> spec() {
     using P = MeshMotion;
@@ -21,13 +22,21 @@ struct MeshMotion : MeshStiffness {
         .attribute("stiffening-power", &P::power, "1", non_negative(),
                    "Young's modulus goes with the cell's area to minus this power.")
         .attribute("poisson-ratio", &P::poisson, "1", between(0, 0.49),
-                   "Poisson's ratio of the mesh.");
+                   "Poisson's ratio of the mesh.")
+        .attribute("body-force", &P::body_force, "1/m", length(2),
+                   "Force per volume over the local Young's modulus, for manufactured solutions: "
+                   "two expressions of x y z (moved), X Y Z (reference), t.");
   }
 };
 
 PhysicsModule make_mesh_motion(const MeshMotion& deck) {
   PhysicsModule module{"mesh-motion", "mesh", {}, {}};
-  module.kernels.push_back(std::make_unique<MeshMotionKernel>(deck.region, deck));
+  if (deck.body_force.empty())
+    module.kernels.push_back(
+        std::make_unique<MeshMotionKernel<NoLoad>>(deck.region, deck, NoLoad{}));
+  else
+    module.kernels.push_back(
+        std::make_unique<MeshMotionKernel<MeshLoad>>(deck.region, deck, MeshLoad{deck.body_force}));
   return module;
 }
 

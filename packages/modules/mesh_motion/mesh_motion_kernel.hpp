@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hawser/physics/moving_frame.hpp"
+#include "hawser/physics/place_function.hpp"
 #include "hawser/physics/point_kernel.hpp"
 
 namespace hawser {
@@ -15,15 +16,28 @@ struct MeshStiffness {
   double poisson = 0.3;
 };
 
-class MeshMotionKernel : public PointKernel<MeshMotionKernel> {
+struct NoLoad {
+  static constexpr unsigned displacement_needs = 0;
+};
+
+/// Force per volume over the local Young's modulus, 1/m.
+struct MeshLoad {
+  static constexpr unsigned displacement_needs = need::value;
+  Expressions components;
+};
+
+template <class Load>
+class MeshMotionKernel : public PointKernel<MeshMotionKernel<Load>> {
  public:
   static constexpr int dimension = 2;
-  static constexpr std::array<FieldUse, 1> uses = {
-      StandardFields<2>::displacement.as(Role::governs, need::gradient | need::accepted)};
+  static constexpr std::array<FieldUse, 1> uses = {StandardFields<2>::displacement.as(
+      Role::governs, need::gradient | need::accepted | Load::displacement_needs)};
   static constexpr Slot<0> displacement{};
 
-  MeshMotionKernel(std::string region, const MeshStiffness& stiffness)
-      : PointKernel(std::move(region)), stiffness_(stiffness) {}
+  MeshMotionKernel(std::string region, const MeshStiffness& stiffness, Load load)
+      : PointKernel<MeshMotionKernel>(std::move(region)),
+        stiffness_(stiffness),
+        load_(std::move(load)) {}
 
   template <class Point, class Form>
   void weak_form(const Point& at, Form& out) const {
@@ -62,12 +76,18 @@ class MeshMotionKernel : public PointKernel<MeshMotionKernel> {
           sum += stress(i, k) * frame.inverse(j, k);
         out[displacement].flux(i, j) = frame.volume * sum;
       }
+    if constexpr (Load::displacement_needs != 0)
+      for (int i = 0; i < D; ++i)
+        out[displacement].source[i] =
+            -frame.volume * young *
+            at_place(load_.components[static_cast<std::size_t>(i)], at.position, d.value, at.time);
   }
 
   std::vector<double> sample_amplitudes() const override { return {0.05}; }
 
  private:
   MeshStiffness stiffness_;
+  Load load_;
 };
 
 }  // namespace hawser
