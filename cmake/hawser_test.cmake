@@ -18,6 +18,7 @@ set(HAWSER_TEST_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONF
   OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
   ASAN_OPTIONS=detect_leaks=0)  # Open MPI leaks on purpose
 
+# Figures for doc/verification.md (tests/support/figure.hpp) come from the first number of ranks.
 function(hawser_mpi_test)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;TIMEOUT" "COMMAND;RANKS;LABELS")
   if(NOT arg_RANKS)
@@ -26,12 +27,14 @@ function(hawser_mpi_test)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
   endif()
+  set(environment ${HAWSER_TEST_ENVIRONMENT} HAWSER_FIGURES=${PROJECT_BINARY_DIR}/tests/figures)
   foreach(ranks IN LISTS arg_RANKS)
     string(REPLACE "@RANKS@" ${ranks} command "${arg_COMMAND}")
     add_test(NAME ${arg_NAME}.np${ranks} COMMAND ${MPIEXEC_EXECUTABLE} -np ${ranks} --oversubscribe
       --bind-to none ${command})
     set_tests_properties(${arg_NAME}.np${ranks} PROPERTIES PROCESSORS ${ranks}
-      TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}" ENVIRONMENT "${HAWSER_TEST_ENVIRONMENT}")
+      TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}" ENVIRONMENT "${environment}")
+    set(environment ${HAWSER_TEST_ENVIRONMENT})
   endforeach()
 endfunction()
 
@@ -45,7 +48,8 @@ function(hawser_test)
   set_target_properties(${target} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  target_compile_definitions(${target} PRIVATE HAWSER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_compile_definitions(${target} PRIVATE HAWSER_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    HAWSER_TEST_NAME="${arg_NAME}")
   set(main hawser_test_main)
   if(arg_TPETRA)
     set(main hawser_test_main_tpetra)

@@ -8,6 +8,7 @@
 
 #include "ale_fluid.hpp"
 #include "cable.hpp"
+#include "figure.hpp"
 #include "hawser/fields/tabulate.hpp"
 #include "hawser/mesh/generate.hpp"
 #include "hawser/simulation/plugin_loader.hpp"
@@ -202,7 +203,9 @@ TEST(Jacobian, IsTheDerivativeOfTheResidualInEveryRegisteredModule) {
       ASSERT_TRUE(diagnostics.ok()) << diagnostics.error_text();
       check_module(module, mesh, worst);
     }
-    std::printf("  <%s>: worst relative error of a block %.1e\n", tag.c_str(), worst);
+    record({"jacobian." + tag, "Invariants",
+            "tangent of <" + tag + "> against central differences, worst block, relative", "1",
+            worst, 0, 1e-6, "truncation and round-off of the differences"});
   }
 }
 
