@@ -25,12 +25,27 @@ ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_R
                "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 
 
+def command_line(ranks, *arguments):
+    launcher = ["mpirun", "-q", "-np", str(ranks), "--oversubscribe", "--bind-to", "none"]
+    return launcher * (ranks > 1) + [str(BUILD / "bin/hawser"), *map(str, arguments)]
+
+
 def hawser(ranks, *arguments, folder=None, seconds=60):
     """The finished process: returncode, stdout, stderr. A run that hangs is a failure."""
-    launcher = ["mpirun", "-q", "-np", str(ranks), "--oversubscribe", "--bind-to", "none"]
-    command = [str(BUILD / "bin/hawser"), *map(str, arguments)]
-    return subprocess.run(launcher * (ranks > 1) + command, cwd=folder, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+    return subprocess.run(command_line(ranks, *arguments), cwd=folder, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
                           capture_output=True, text=True, timeout=seconds)
+
+
+def started(ranks, *arguments, **environment):
+    """The process as it begins; mpirun when there are several ranks."""
+    return subprocess.Popen(command_line(ranks, *arguments), env={**ENVIRONMENT, **environment}, text=True,
+                            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+
+def ranks_of(process):
+    """The numbers of the processes that mpirun started."""
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+    return [int(child) for child in children if Path(f"/proc/{child}/comm").read_text() == "hawser\n"]
 
 
 def edited(name, deck="tow.xml", **changes):
@@ -111,6 +126,10 @@ def difference(a, b):
     return float(np.abs(a - b).max() / max(np.abs(b).max(), np.finfo(float).tiny))
 
 
+COUNTS = ("steps", "steps_rejected", "newton_iterations", "linear_iterations", "mesh_quality_min", "courant_max",
+          "end_error_m", "end_error_change_last_quarter_m", "tow_force_n_per_m")
+
+
 class SystemTest(unittest.TestCase):
     def assertFails(self, code, sentence, ranks, *arguments):
         """One line on stderr that matches the regular expression, whatever the number of ranks."""
@@ -119,6 +138,20 @@ class SystemTest(unittest.TestCase):
         self.assertRegex(done.stderr, rf"\A{sentence}\n\Z")
         return done
 
+    def assertSame(self, whole, parts):
+        """Two runs left the same, to the last bit."""
+        for table in "history.csv", "cable.csv":
+            self.assertEqual((parts.folder / table).read_text(), (whole.folder / table).read_text(), table)
+        a, b = whole.summary(), parts.summary()
+        self.assertEqual({name: b[name] for name in COUNTS}, {name: a[name] for name in COUNTS})
+        for grid in "flow", "cable":
+            self.assertEqual(parts.steps(grid), whole.steps(grid))
+            self.assertEqual((parts.folder / f"{grid}.xdmf").read_text(), (whole.folder / f"{grid}.xdmf").read_text())
+            for step in whole.steps(grid):
+                there, here = whole.fields(step, grid), parts.fields(step, grid)
+                for name in there:
+                    np.testing.assert_array_equal(here[name], there[name], f"{grid} {name}, step {step}", strict=True)
+
 
 def main():
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    unittest.main(argv=sys.argv[:1] + parser.parse_known_args()[1], verbosity=2)

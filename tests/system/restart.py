@@ -1,9 +1,5 @@
 """A run continued from a checkpoint equals the uninterrupted one: to the last bit on the same ranks."""
-import unittest
-
-import numpy as np
-
-from harness import Results, completed, difference, edited, fresh, main, run
+from harness import Results, SystemTest, completed, difference, edited, fresh, main, run
 
 # The run is stopped at an end of its own, a step after the checkpoint that it is continued from.
 PLAIN = dict(output_checkpoint_every="3")
@@ -12,11 +8,9 @@ THIRDS = dict(output_checkpoint_every="3", time_step="6.666666666666667", time_e
 # Steps are rejected and cut; the checkpoint falls between a cut and the growth that a count of good steps brings.
 CUT = dict(output_checkpoint_every="2", newton_max_iterations="4", time_end="160", time_grow_after="3",
            output_fields_every="1")
-COUNTS = ("steps", "steps_rejected", "newton_iterations", "linear_iterations", "mesh_quality_min", "courant_max",
-          "end_error_m", "end_error_change_last_quarter_m", "tow_force_n_per_m")
 
 
-class Restart(unittest.TestCase):
+class Restart(SystemTest):
     def pair(self, name, changes, stop, ranks, other_ranks=None):
         """An uninterrupted run, and one that was stopped and continued."""
         deck = edited(name, **changes)
@@ -27,19 +21,6 @@ class Restart(unittest.TestCase):
         self.assertEqual(stopped_at, float(stop))
         completed(other_ranks or ranks, "restart", folder / "checkpoint.h5", "-q", "--end", changes.get("time_end", "200"))
         return whole, Results(folder)
-
-    def assertSame(self, whole, parts):
-        for table in "history.csv", "cable.csv":
-            self.assertEqual((parts.folder / table).read_text(), (whole.folder / table).read_text(), table)
-        a, b = whole.summary(), parts.summary()
-        self.assertEqual({name: b[name] for name in COUNTS}, {name: a[name] for name in COUNTS})
-        for grid in "flow", "cable":
-            self.assertEqual(parts.steps(grid), whole.steps(grid))
-            self.assertEqual((parts.folder / f"{grid}.xdmf").read_text(), (whole.folder / f"{grid}.xdmf").read_text())
-            for step in whole.steps(grid):
-                there, here = whole.fields(step, grid), parts.fields(step, grid)
-                for name in there:
-                    np.testing.assert_array_equal(here[name], there[name], f"{grid} {name}, step {step}", strict=True)
 
     def test_on_the_same_ranks(self):
         for ranks in 1, 2:

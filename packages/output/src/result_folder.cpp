@@ -7,7 +7,37 @@
 
 namespace hawser {
 
-ResultFolder::ResultFolder(const Communicator& communicator, std::string path, bool force)
+namespace {
+
+/// In the order in which a run makes them.
+constexpr const char* history = "history.csv";
+constexpr const char* checkpoint = "checkpoint.h5";
+constexpr const char* summary = "summary.json";
+
+void refuse_results(const ResultFolder& folder) {
+  const auto holds = [&](const char* name) {
+    std::error_code none;
+    return std::filesystem::exists(folder.file(name), none);
+  };
+  if (holds(summary))
+    throw OutputError(folder.path() +
+                      " holds the results of another run (summary.json); choose another folder, or "
+                      "--force to write over them");
+  if (holds(checkpoint))
+    throw OutputError(folder.path() + " holds an unfinished run; go on with: hawser restart " +
+                      folder.file(checkpoint) +
+                      "; or choose another folder, or --force to begin again");
+  if (holds(history))
+    throw OutputError(
+        folder.path() +
+        " holds an unfinished run, without a checkpoint to go on from; choose another "
+        "folder, or --force to begin again");
+}
+
+}  // namespace
+
+ResultFolder::ResultFolder(const Communicator& communicator, std::string path,
+                           ExistingResults existing)
     : communicator_(communicator), path_(std::move(path)) {
   communicator_.on_root([&] {
     std::error_code error;
@@ -16,15 +46,10 @@ ResultFolder::ResultFolder(const Communicator& communicator, std::string path, b
     const std::string trial = file("writable");
     try_room(trial, 0);
     std::filesystem::remove(trial, error);
-    const std::string summary = file("summary.json");
-    if (!std::filesystem::exists(summary, error)) return;
-    if (!force) {
-      throw OutputError(path_ +
-                        " holds the results of another run (summary.json); choose another " +
-                        "folder, or --force to write over them");
-    }
+    if (existing == ExistingResults::keep) refuse_results(*this);
     // From here on the folder is that of an unfinished run.
-    std::filesystem::remove(summary, error);
+    std::filesystem::remove(file(summary), error);
+    if (existing == ExistingResults::replace) std::filesystem::remove(file(checkpoint), error);
   });
 }
 

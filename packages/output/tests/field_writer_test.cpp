@@ -27,7 +27,7 @@ void write_samples(const Communicator& all, const std::string& folder) {
 
 TEST(FieldWriter, WritesWhatPythonReadsBack) {
   const Communicator all;
-  const ResultFolder folder(all, "fields", true);
+  const ResultFolder folder(all, "fields", ExistingResults::replace);
   write_samples(all, folder.path());
   // read_back.py knows the formulas of sample.hpp and compares every number.
   const std::string check =
@@ -39,7 +39,7 @@ TEST(FieldWriter, WritesWhatPythonReadsBack) {
 
 TEST(FieldWriter, StartsAfreshAndContinues) {
   const Communicator all;
-  const ResultFolder folder(all, "continued", true);
+  const ResultFolder folder(all, "continued", ExistingResults::replace);
   write_samples(all, folder.path());
   const Grid grid = sample::strip(all);
   FieldWriter continued(all, folder.path(), grid, 10);
@@ -59,7 +59,7 @@ TEST(FieldWriter, StartsAfreshAndContinues) {
 
 TEST(FieldWriter, LeavesNothingUnfinished) {
   const Communicator all;
-  const ResultFolder folder(all, "finished", true);
+  const ResultFolder folder(all, "finished", ExistingResults::replace);
   write_samples(all, folder.path());
   all.on_root([] {
     for (const auto& file : fs::directory_iterator("finished")) {
@@ -70,7 +70,7 @@ TEST(FieldWriter, LeavesNothingUnfinished) {
 
 TEST(FieldWriter, NamesTheFolderItCannotWrite) {
   const Communicator all;
-  const ResultFolder folder(all, "vanishing", true);
+  const ResultFolder folder(all, "vanishing", ExistingResults::replace);
   const Grid grid = sample::strip(all);
   FieldWriter writer(all, folder.path(), grid);
   all.on_root([] { fs::remove_all("vanishing"); });

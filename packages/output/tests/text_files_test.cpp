@@ -70,16 +70,32 @@ TEST(Summary, KeepsOrderAndDigits) {
   all.on_root([&] { EXPECT_EQ(contents("summary.json"), summary.json()); });
 }
 
-TEST(ResultFolder, RefusesAFinishedRunUnlessForced) {
+TEST(ResultFolder, RefusesAnotherRunUnlessForced) {
   const Communicator all;
   all.on_root([] { std::filesystem::remove_all("results"); });
-  const ResultFolder folder(all, "results/case/one");
-  EXPECT_NO_THROW(ResultFolder(all, "results/case/one")) << "nothing finished in it";
+  const std::string path = "results/case/one";
+  const ResultFolder folder(all, path);
+  EXPECT_NO_THROW(ResultFolder(all, path)) << "nothing in it";
+  const auto expect_refused = [&](const std::string& sentence) {
+    EXPECT_THAT([&] { ResultFolder(all, path); },
+                ThrowsMessage<OutputError>(HasSubstr(path + sentence)));
+  };
+  folder.write("history.csv", "t\n");
+  expect_refused(" holds an unfinished run, without a checkpoint");
+  folder.write("checkpoint.h5", "");
+  expect_refused(" holds an unfinished run; go on with: hawser restart " + path + "/checkpoint.h5");
   folder.write("summary.json", "{}");
-  EXPECT_THAT([&] { ResultFolder(all, "results/case/one"); },
-              ThrowsMessage<OutputError>(HasSubstr("results/case/one holds the results")));
-  EXPECT_NO_THROW(ResultFolder(all, "results/case/one", true));
-  all.on_root([&] { EXPECT_FALSE(std::filesystem::exists(folder.file("summary.json"))); });
+  expect_refused(" holds the results of another run");
+
+  const auto there = [&](const char* name) { return std::filesystem::exists(folder.file(name)); };
+  EXPECT_NO_THROW(ResultFolder(all, path, ExistingResults::go_on));
+  all.on_root([&] {
+    EXPECT_FALSE(there("summary.json")) << "unfinished again";
+    EXPECT_TRUE(there("checkpoint.h5"));
+  });
+  EXPECT_NO_THROW(ResultFolder(all, path, ExistingResults::replace));
+  all.on_root(
+      [&] { EXPECT_FALSE(there("checkpoint.h5")) << "it would be taken for one of the new run"; });
 }
 
 TEST(ResultFolder, SaysWhyItCannotBeWritten) {

@@ -9,6 +9,7 @@
 #include "src/provenance.hpp"
 #include "src/run_case.hpp"
 #include "src/run_record.hpp"
+#include "src/run_signals.hpp"
 #include "src/state_checkpoint.hpp"
 
 namespace hawser {
@@ -31,18 +32,19 @@ struct Simulation::Implementation {
       : communicator(comm), registry(std::move(known)), options(std::move(wanted)) {}
 
   const RunDeck& deck() const { return run_case.deck; }
+  double now() const { return system->integrator->history().time; }
 
   void read(Deck text, Diagnostics& diagnostics) {
     run_case = read_case(communicator, std::move(text), options, registry, diagnostics);
   }
 
   /// A restarted run continues the results beside its checkpoint; elsewhere it needs --force, like
-  /// any run, to replace finished ones.
-  void go_on_in(const std::filesystem::path& folder) {
-    home = folder;
-    if (options.output.empty()) options.output = home.string();
+  /// any run, to replace others.
+  ExistingResults existing_results() const {
     std::error_code none;
-    if (std::filesystem::equivalent(options.output, home, none)) options.force = true;
+    if (checkpoint && std::filesystem::equivalent(options.output, home, none))
+      return ExistingResults::go_on;
+    return options.force ? ExistingResults::replace : ExistingResults::keep;
   }
 
   // A restarted run uses the very mesh of the run that it continues.
@@ -92,38 +94,49 @@ struct Simulation::Implementation {
     return result;
   }
 
-  /// Steps until one is accepted; writes a checkpoint and throws when the least step fails too.
-  StepFigures advance() {
-    while (true) {
-      const TimeHistory& history = system->integrator->history();
-      const double length = steps->next(history.time, history.step);
-      try {
-        StepFigures result = attempt(length);
-        steps->accepted();
-        return result;
-      } catch (const SolveError& error) {
-        record->rejected();
-        progress->rejected(system->integrator->history().time, length, error.what());
-        if (deck().time.steady) throw;
-        if (steps->rejected(length)) continue;
-        throw SolveError(std::string(error.what()) +
-                         "; the least step was reached, the last accepted state is in " +
-                         record->save_checkpoint(*steps));
-      }
+  /// One attempt; none when it was rejected and a shorter step is to be tried. When there is no
+  /// shorter one: a checkpoint, and SolveError.
+  std::optional<StepFigures> advance() {
+    const double length = steps->next(now(), system->integrator->history().step);
+    try {
+      StepFigures result = attempt(length);
+      steps->accepted();
+      return result;
+    } catch (const SolveError& error) {
+      record->rejected();
+      progress->rejected(now(), length, error.what());
+      if (deck().time.steady) throw;
+      if (steps->rejected(length)) return std::nullopt;
+      throw SolveError(std::string(error.what()) +
+                       "; the least step was reached, the last accepted state is in " +
+                       record->save_checkpoint(*steps));
     }
   }
 
+  void obey(const Request& request) {
+    if (request.kind == Request::Kind::none) return;
+    const std::string checkpoint_file = record->save_checkpoint(*steps);
+    const std::string time = "t = " + write_value(now()) + " s";
+    if (request.kind == Request::Kind::checkpoint)
+      return progress->note(request.signal + ": checkpoint of " + time + " in " + checkpoint_file);
+    throw Error(ExitCode::stopped, "stopped by " + request.signal + " at " + time +
+                                       "; go on with: hawser restart " + checkpoint_file +
+                                       (options.end ? " --end " + write_value(*options.end) : ""));
+  }
+
   Summary run() {
-    const ResultFolder folder(communicator, options.output, options.force);
+    // What comes while the mesh is made is obeyed afterwards.
+    const RunSignals signals(communicator);
+    const ResultFolder folder(communicator, options.output, existing_results());
     set_up(folder);
-    bool done = steps->finished(system->integrator->history().time);
-    while (!done) {
-      StepFigures figures = advance();
+    while (!steps->finished(now())) {
+      obey(signals.take());
+      std::optional<StepFigures> figures = advance();
+      if (!figures) continue;
       system->integrator->accept(system->problem->state());
-      done = steps->finished(system->integrator->history().time);
-      record->accepted(figures);
-      progress->stepped(figures, deck().time.end);
-      record->write(figures, *steps, done);
+      record->accepted(*figures);
+      progress->stepped(*figures, deck().time.end);
+      record->write(*figures, *steps, steps->finished(now()));
     }
     return summarise(folder);
   }
@@ -165,7 +178,8 @@ Simulation Simulation::restart(const Communicator& communicator, ModuleRegistry 
       std::make_unique<Implementation>(communicator, std::move(registry), options);
   implementation->checkpoint = std::make_unique<CheckpointReader>(communicator, checkpoint);
   const CheckpointHeader& header = implementation->checkpoint->header();
-  implementation->go_on_in(std::filesystem::absolute(checkpoint).parent_path());
+  implementation->home = std::filesystem::absolute(checkpoint).parent_path();
+  if (options.output.empty()) implementation->options.output = implementation->home.string();
   Diagnostics diagnostics;
   implementation->read(
       parse_deck(header.texts.at("deck"), header.texts.at("deck_file"), diagnostics), diagnostics);

@@ -6,11 +6,19 @@
 
 namespace hawser {
 
+/// What to do about a run that the folder holds already.
+enum class ExistingResults {
+  keep,     ///< refuse the folder
+  replace,  ///< what this run does not write over must not be taken for its own: it goes
+  go_on     ///< this run continues that one
+};
+
 class ResultFolder {
  public:
-  /// Makes the folder and its parents and checks that it can be written. A folder that holds a
-  /// finished run (a summary.json) is refused unless `force`. Collective; OutputError on all ranks.
-  ResultFolder(const Communicator& communicator, std::string path, bool force = false);
+  /// Makes the folder and its parents and checks that it can be written. Collective; OutputError on
+  /// all ranks.
+  ResultFolder(const Communicator& communicator, std::string path,
+               ExistingResults existing = ExistingResults::keep);
 
   const std::string& path() const { return path_; }
   std::string file(const std::string& name) const { return path_ + "/" + name; }
