@@ -28,6 +28,22 @@ std::shared_ptr<Arguments> new_arguments(CLI::App& verb) {
   return arguments;
 }
 
+/// Values of the deck that are replaced.
+void add_changes(CLI::App& verb, RunOptions& options) {
+  verb.add_option_function<std::vector<std::string>>(
+          "--set",
+          [&options](const std::vector<std::string>& changes) {
+            try {
+              for (const std::string& change : changes)
+                options.changes.push_back(read_change(change));
+            } catch (const Error& error) {
+              throw CLI::ValidationError(error.what());
+            }
+          },
+          "replace a value of the deck: time/step=5, or a parameter: tow_speed=0.3; repeatable")
+      ->allow_extra_args(false);
+}
+
 void add_run_options(CLI::App& verb, RunOptions& options, bool needs_output) {
   verb.add_option("-o,--output", options.output, "folder for the results")->required(needs_output);
   verb.add_flag("-f,--force", options.force, "write over the results of a finished run");
@@ -41,6 +57,7 @@ Verb run_verb(CLI::App& app) {
       app.add_subcommand("run", "run a deck: hawser run inputs/deep_tow/case_02.xml -o results/a");
   const auto arguments = new_arguments(*verb);
   verb->add_option("deck", arguments->file, "XML deck")->required();
+  add_changes(*verb, arguments->options);
   add_run_options(*verb, arguments->options, true);
   return {verb, OnRanks([arguments](const Communicator& world) {
             return exit_code(
@@ -64,6 +81,7 @@ Verb check_verb(CLI::App& app) {
   auto* verb = app.add_subcommand("check", "read a deck and report every fault in it");
   const auto arguments = new_arguments(*verb);
   verb->add_option("deck", arguments->file, "XML deck")->required();
+  add_changes(*verb, arguments->options);
   return {verb, OnRanks([arguments](const Communicator& world) {
             const Simulation simulation(world, built_in_modules(), arguments->file,
                                         arguments->options);

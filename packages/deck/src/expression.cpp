@@ -15,14 +15,14 @@ struct Expression::Formula : CompiledFormula {
 Expression::Expression(double value) : value_(value), text_(write_value(value)) {}
 
 Expression::Expression(const std::string& formula, const Location& location) {
-  const std::string fault = compile(formula, location, *this);
+  const std::string fault = compile(formula, location, nullptr, *this);
   if (!fault.empty()) throw DeckError(location.text() + ": " + fault);
 }
 
 std::string Expression::compile(const std::string& formula, const Location& location,
-                                Expression& result) {
+                                const NamedValues* names, Expression& result) {
   std::string fault;
-  auto compiled = std::make_shared<Formula>(formula, fault);
+  auto compiled = std::make_shared<Formula>(formula, names, fault);
   if (!fault.empty()) return fault;
   result = Expression();
   result.text_ = formula;
@@ -34,6 +34,14 @@ std::string Expression::compile(const std::string& formula, const Location& loca
     result.formula_ = std::move(compiled);
   }
   return "";
+}
+
+Expression Expression::constant(double value, const std::optional<Unit>& unit,
+                                const Location& location) {
+  Expression result(value);
+  result.unit_ = unit;
+  result.location_ = location;
+  return result;
 }
 
 double Expression::operator()(const SpaceTime& point) const {

@@ -1,5 +1,6 @@
 #include "src/formula.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 #include "hawser/deck/diagnostics.hpp"
@@ -74,9 +75,10 @@ std::string sentence(const mu::ParserError& error) {
 
 }  // namespace
 
-CompiledFormula::CompiledFormula(const std::string& formula, std::string& fault) {
+CompiledFormula::CompiledFormula(const std::string& formula, const NamedValues* names,
+                                 std::string& fault) {
   try {
-    define_names();
+    define_names(names);
     fault = trimmed(formula).empty() ? "the expression is empty" : fault_in_names(formula);
     if (fault.empty()) fault = compile(formula);
   } catch (const mu::ParserError& error) {
@@ -84,11 +86,24 @@ CompiledFormula::CompiledFormula(const std::string& formula, std::string& fault)
   }
 }
 
+std::vector<std::string> names_of_formulas() {
+  std::string fault;
+  return CompiledFormula("0", nullptr, fault).names();
+}
+
+std::vector<std::string> CompiledFormula::names() const {
+  std::vector<std::string> result = keys(parser_.GetVar());
+  for (const auto& others : {keys(parser_.GetConst()), keys(parser_.GetFunDef())})
+    result.insert(result.end(), others.begin(), others.end());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 bool CompiledFormula::uses_any(const std::string& variables) const {
   return used_.find_first_of(variables) != std::string::npos;
 }
 
-void CompiledFormula::define_names() {
+void CompiledFormula::define_names(const NamedValues* names) {
   parser_.DefineVar("t", &point_.t);
   parser_.DefineVar("x", &point_.x);
   parser_.DefineVar("y", &point_.y);
@@ -100,6 +115,8 @@ void CompiledFormula::define_names() {
   parser_.DefineConst("pi", 3.14159265358979323846);
   parser_.DefineFun("ramp", ramp);
   parser_.DefineFun("ramp_distance", ramp_distance);
+  for (std::size_t i = 0; names != nullptr && i < names->size(); ++i)
+    parser_.DefineConst((*names)[i].name, (*names)[i].value);
 }
 
 // What muParser would accept or explain badly: names, numbers, assignments.

@@ -26,7 +26,8 @@ std::string read_number(const std::string& text, double& value) {
   const std::string rest(stop, end);
   if (error == std::errc::invalid_argument) return "a number is needed, such as 0.5 or 1e-3";
   if (!rest.empty() && rest[0] == ',')
-    return "a number has no comma; write 1000 or 1e3 for a thousand and 0.5 for a half";
+    return "a number has no comma; write 1000 or 1e3 for a thousand, 0.5 for a half, and blanks "
+           "between the values of a list";
   if (!rest.empty()) return quoted(rest) + " after the number is not understood";
   if (error == std::errc::result_out_of_range)
     return "it is too large or too small for a number of double precision";

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "hawser/base/error.hpp"
-#include "hawser/deck/deck.hpp"
+#include "src/deck_edit.hpp"
 
 namespace hawser {
 namespace {
@@ -69,7 +69,7 @@ class Converter {
   Location place(const char* position) const { return places_.at(offset(position)); }
 
   DeckNode element(const pugi::xml_node& node, int depth) {
-    DeckNode result{node.name(), place(node.name()), {}, {}};
+    DeckNode result{node.name(), place(node.name()), {}, {}, {}};
     if (depth > deck_depth_limit)
       throw DeckError(result.location.text() + ": elements are nested too deeply; allowed: " +
                       std::to_string(deck_depth_limit) + " levels");
@@ -178,7 +178,7 @@ void check_bytes(const std::string& text, const std::string& file) {
 
 }  // namespace
 
-Deck parse_deck(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
+DeckNode parse_xml(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
   check_bytes(text, file);
   std::string buffer = text + '\n';  // pugixml overwrites the last character
   Converter converter(text, buffer, file, diagnostics);
@@ -201,7 +201,7 @@ Deck parse_deck(const std::string& text, const std::string& file, Diagnostics& d
     }
     throw DeckError(converter.places().at(offset).text() + ": " + what);
   }
-  return {file, text, converter.root(document)};
+  return converter.root(document);
 }
 
 }  // namespace hawser

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <sstream>
 
 #include "hawser/deck/node_spec.hpp"
 #include "hawser/deck/spec_reader.hpp"
@@ -26,9 +27,15 @@ class Writer {
 
   /// Without a spec, the node as it is.
   void write(const DeckNode& node, const NodeSpec* spec, const std::string& indent) {
-    text_ += indent + "<" + node.tag;
-    for (const auto& [name, value] : attributes(node, spec))
-      text_ += " " + name + "=\"" + escaped(value) + "\"";
+    std::string start = indent + "<" + node.tag, given;
+    for (const auto& [name, value] : attributes(node, spec)) {
+      start += " " + name + "=\"" + escaped(value) + "\"";
+      const DeckAttribute* const written = node.find_attribute(name);
+      if (written && on_one_line(written->value) != value)
+        given += " " + name + "=\"" + on_one_line(written->value) + "\"";
+    }
+    if (!given.empty()) text_ += indent + "<!-- given:" + fit_for_comment(given) + " -->\n";
+    text_ += start;
     const std::size_t end_of_tag = text_.size();
     text_ += ">\n";
     const std::size_t begin_of_children = text_.size();
@@ -55,10 +62,34 @@ class Writer {
     }
     for (const AttributeSpec& attribute : spec->attributes) {
       const DeckAttribute* given = node.find_attribute(attribute.name);
-      const std::string value = given ? trimmed(given->value) : attribute.default_text;
+      const std::string value = given ? resolved(*given, attribute, node) : attribute.default_text;
       if (!value.empty()) result.emplace_back(attribute.name, value);
     }
     return result;
+  }
+
+  // Plain numbers stay as they were written.
+  static std::string resolved(const DeckAttribute& given, const AttributeSpec& spec,
+                              const DeckNode& node) {
+    const std::string text = on_one_line(given.value);
+    const bool plain = text.find_first_not_of("0123456789+-.eE; \t\r\n") == std::string::npos;
+    if (plain || !spec.resolve) return text;
+    static const Rules none;
+    return spec.resolve({text, given.location, spec.unit, none, node.names.get()});
+  }
+
+  static std::string on_one_line(const std::string& text) {
+    std::istringstream stream(text);
+    std::string result;
+    for (std::string word; stream >> word;)
+      result += (result.empty() ? "" : " ") + word;
+    return result;
+  }
+
+  static std::string fit_for_comment(std::string text) {
+    for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at + 1))
+      text.insert(at + 1, " ");
+    return text;
   }
 
   const NodeSpec* spec_of(const DeckNode& child, const NodeSpec* parent) const {
@@ -77,7 +108,7 @@ class Writer {
           std::none_of(attributes.begin(), attributes.end(),
                        [](const AttributeSpec& attribute) { return attribute.is_required; });
       if (child.has_defaults && complete && !node.find_child(child.node.tag))
-        write({child.node.tag, {}, {}, {}}, &child.node, indent);
+        write({child.node.tag, {}, {}, {}, {}}, &child.node, indent);
     }
   }
 
@@ -90,6 +121,13 @@ class Writer {
 std::string resolved_deck(const DeckNode& node, const NodeSpec& spec, const SpecLookup& lookup) {
   Writer writer(lookup);
   writer.write(node, &spec, "");
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + writer.take();
+}
+
+std::string deck_text(const DeckNode& node) {
+  const SpecLookup none;
+  Writer writer(none);
+  writer.write(node, nullptr, "");
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + writer.take();
 }
 

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <limits>
 
 #include "hawser/deck/diagnostics.hpp"
 #include "hawser/deck/spec_reader.hpp"
 #include "src/number.hpp"
+#include "src/quantity.hpp"
 
 namespace hawser {
 namespace {
@@ -21,10 +24,8 @@ std::string range_fault(const Reading& reading, double value) {
 }
 
 std::string number_fault(const Reading& reading, const std::string& text, double& value) {
-  std::string fault = read_number(text, value);
-  if (fault.empty()) return range_fault(reading, value);
-  if (!reading.unit.empty() && reading.unit != "1") fault += " (in " + reading.unit + ")";
-  return fault;
+  const std::string fault = read_quantity(reading, text, value);
+  return fault.empty() ? range_fault(reading, value) : fault;
 }
 
 std::string length_fault(const Reading& reading, std::size_t length) {
@@ -36,6 +37,15 @@ std::string length_fault(const Reading& reading, std::size_t length) {
   of_length.least_length = rules.least_length;
   of_length.greatest_length = rules.greatest_length;
   return of_length.range_text() + " needed, " + std::to_string(count) + " given";
+}
+
+std::string list_fault(const Reading& reading, const std::vector<std::string>& values) {
+  const auto has_unit = [](const std::string& value) { return value.find(' ') != value.npos; };
+  const auto units = std::count_if(values.begin(), values.end(), has_unit);
+  if (reading.text.find(';') == std::string::npos && units > 0 &&
+      static_cast<std::size_t>(units) < values.size())
+    return "every value of the list needs its unit, or only the last one, for all";
+  return length_fault(reading, values.size());
 }
 
 std::string word_fault(const Reading& reading, const std::string& word) {
@@ -50,15 +60,8 @@ std::string of_part(const std::string& part, std::size_t count, const std::strin
 }
 
 std::string expression_fault(const Reading& reading, const std::string& text, Expression& value) {
-  if (text.empty()) return "a value is missing beside a ';'";
-  std::string fault = Expression::compile(text, reading.location, value);
-  if (fault.empty() && value.is_constant()) fault = range_fault(reading, value({}));
-  return fault;
-}
-
-bool is_number(const std::string& text) {
-  double value = 0;
-  return read_number(text, value).empty();
+  const std::string fault = read_expression(reading, text, value);
+  return fault.empty() && value.is_constant() ? range_fault(reading, value({})) : fault;
 }
 
 template <class List>
@@ -78,7 +81,17 @@ std::string read_value(const Reading& reading, double& value) {
 }
 
 std::string read_value(const Reading& reading, int& value) {
-  const std::string fault = read_whole_number(reading.text, value);
+  std::string fault;
+  if (kind_of(reading.text) == ValueKind::number) {
+    fault = read_whole_number(reading.text, value);
+  } else {
+    double number = 0;
+    fault = read_quantity(reading, reading.text, number);
+    const bool fits = std::abs(number) <= std::numeric_limits<int>::max();
+    if (fault.empty() && !(fits && number == std::floor(number)))
+      fault = "a whole number is needed, and this is " + write_value(number);
+    if (fault.empty()) value = static_cast<int>(number);
+  }
   return fault.empty() ? range_fault(reading, value) : fault;
 }
 
@@ -93,22 +106,19 @@ std::string read_value(const Reading& reading, std::string& value) {
 }
 
 std::string read_value(const Reading& reading, Expression& value) {
-  const auto parts = split_at_blanks(reading.text);
-  if (parts.size() > 1 && std::all_of(parts.begin(), parts.end(), is_number))
-    return "one value is needed, " + std::to_string(parts.size()) + " are given";
+  const std::size_t count = split_values(reading.text).size();
+  if (count > 1) return "one value is needed, " + std::to_string(count) + " are given";
   return expression_fault(reading, reading.text, value);
 }
 
 std::string read_value(const Reading& reading, std::vector<double>& value) {
-  const auto parts = split_at_blanks(reading.text);
+  const auto parts = split_values(reading.text);
   value.assign(parts.size(), 0);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const bool list_like = parts[i].find_first_of(",;") != std::string::npos;
-    const std::string fault = list_like ? "numbers are set apart by blanks, not by ',' or ';'"
-                                        : number_fault(reading, parts[i], value[i]);
+    const std::string fault = number_fault(reading, parts[i], value[i]);
     if (!fault.empty()) return of_part(parts[i], parts.size(), fault);
   }
-  return length_fault(reading, value.size());
+  return list_fault(reading, parts);
 }
 
 std::string read_value(const Reading& reading, std::vector<std::string>& value) {
@@ -123,14 +133,13 @@ std::string read_value(const Reading& reading, std::vector<std::string>& value) 
 }
 
 std::string read_value(const Reading& reading, Expressions& value) {
-  auto parts = split_at_blanks(reading.text);
-  if (!std::all_of(parts.begin(), parts.end(), is_number)) parts = split_at(reading.text, ';');
+  const auto parts = split_values(reading.text);
   value.assign(parts.size(), {});
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string fault = expression_fault(reading, parts[i], value[i]);
     if (!fault.empty()) return of_part(parts[i], parts.size(), fault);
   }
-  return length_fault(reading, value.size());
+  return list_fault(reading, parts);
 }
 
 std::string write_value(double value) {

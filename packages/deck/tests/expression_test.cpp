@@ -17,7 +17,7 @@ SpaceTime at_time(double t) {
 
 std::string fault(const std::string& formula) {
   Expression expression;
-  return Expression::compile(formula, {}, expression);
+  return Expression::compile(formula, {}, nullptr, expression);
 }
 
 TEST(Expression, KnowsWhatItDependsOn) {

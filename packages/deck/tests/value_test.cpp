@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "hawser/deck/diagnostics.hpp"
 
 namespace hawser {
@@ -27,16 +29,22 @@ TEST(Value, NumbersAreReadWholeOrNotAtAll) {
   EXPECT_EQ(read<double>("+2"), 2);
   EXPECT_EQ(read<double>(".5"), 0.5);
   EXPECT_EQ(fault<double>("0.5abc"), "'abc' after the number is not understood");
-  EXPECT_EQ(fault<double>("1e-3m", {}, "m"), "'m' after the number is not understood (in m)");
-  EXPECT_EQ(fault<double>("1 2"), "' 2' after the number is not understood");
+  EXPECT_EQ(fault<double>("1e-3m", {}, "m"),
+            "a blank is missing between the number and its unit; write '1e-3 m' (in m)");
+  EXPECT_EQ(fault<double>("1 2"), "one value is needed, 2 are given");
   EXPECT_EQ(fault<double>("1,000"),
-            "a number has no comma; write 1000 or 1e3 for a thousand and 0.5 for a half");
+            "a number has no comma; write 1000 or 1e3 for a thousand, 0.5 for a half, and blanks "
+            "between the values of a list");
   for (const char* text : {"nan", "NaN", "inf", "-inf", "infinity"})
     EXPECT_EQ(fault<double>(text), "a finite number is needed") << text;
   for (const char* text : {"1e400", "-1e400", "1e-400"})
     EXPECT_EQ(fault<double>(text), "it is too large or too small for a number of double precision");
-  for (const char* text : {"abc", "", "-", "+", "+-1", "e5", "{1,2}"})
+  for (const char* text : {"-", "+", "+-1"})
     EXPECT_EQ(fault<double>(text), "a number is needed, such as 0.5 or 1e-3") << text;
+  for (const char* text : {"abc", "e5"})
+    EXPECT_EQ(fault<double>(text),
+              "a number is needed, such as 0.5 or 1e-3, or the name of a parameter; there are none")
+        << text;
   EXPECT_EQ(fault<double>("0x10"), "'x10' after the number is not understood");
 }
 
@@ -46,7 +54,8 @@ TEST(Value, WholeNumbers) {
   for (const char* text : {"3.7", "3.0", "1e3"})
     EXPECT_EQ(fault<int>(text),
               "a whole number is needed, such as 10, without a point or exponent");
-  EXPECT_EQ(fault<int>("abc"), "a whole number is needed, such as 10");
+  EXPECT_EQ(fault<int>("abc"),
+            "a number is needed, such as 0.5 or 1e-3, or the name of a parameter; there are none");
   EXPECT_EQ(fault<int>("5x"), "'x' after the number is not understood");
   EXPECT_EQ(fault<int>("99999999999999"), "it is too large; whole numbers go up to 2147483647");
 }
@@ -72,9 +81,13 @@ TEST(Value, Ranges) {
 TEST(Value, Lists) {
   EXPECT_THAT(read<std::vector<double>>("0  -0.5\n3"), testing::ElementsAre(0, -0.5, 3));
   EXPECT_EQ(fault<std::vector<double>>("0 1x"), "in '1x', 'x' after the number is not understood");
-  for (const char* text : {"{1,2,x}", "{1;2}", "1,2"})
-    EXPECT_EQ(fault<std::vector<double>>(text),
-              "numbers are set apart by blanks, not by ',' or ';'");
+  const std::string braces =
+      "values are written without braces or brackets, and set apart by blanks: '0 -0.5'";
+  EXPECT_EQ(fault<std::vector<double>>("{1,2,x}"), braces);
+  EXPECT_EQ(fault<std::vector<double>>("{1;2}"), "in '{1', " + braces);
+  EXPECT_EQ(fault<std::vector<double>>("1,2"),
+            "a number has no comma; write 1000 or 1e3 for a thousand, 0.5 for a half, and blanks "
+            "between the values of a list");
   EXPECT_EQ(fault<std::vector<double>>("1 2 3", length(2)), "2 values needed, 3 given");
   EXPECT_EQ(fault<std::vector<double>>("1 -2", positive()), "in '-2', it must be > 0");
   EXPECT_THAT(read<std::vector<std::string>>("a b"), testing::ElementsAre("a", "b"));
@@ -93,12 +106,61 @@ TEST(Value, ListsOfExpressions) {
   EXPECT_EQ(write_value(mixed), "0; -0.5*ramp(t, 0, 10)");
   EXPECT_EQ(fault<Expressions>("0;;1"), "in '', a value is missing beside a ';'");
   EXPECT_EQ(fault<Expressions>("0; 1e400"),
-            "in '1e400', '1e400': it is too large or too small for a number of double precision");
+            "in '1e400', it is too large or too small for a number of double precision");
   EXPECT_EQ(fault<Expressions>("1,2"),
-            "one value is needed, but ',' makes it 2; components are separated by ';'");
+            "a number has no comma; write 1000 or 1e3 for a thousand, 0.5 for a half, and blanks "
+            "between the values of a list");
   EXPECT_EQ(fault<Expressions>("0; t; 1", length(2)), "2 values needed, 3 given");
   EXPECT_EQ(fault<Expression>("3 -1"), "one value is needed, 2 are given");
   EXPECT_EQ(fault<Expression>("-1", positive(), "m"), "it must be > 0 m");
+}
+
+TEST(Value, NumbersWithUnits) {
+  const auto in = [](const std::string& text, const std::string& unit) {
+    double value = 0;
+    const Rules rules;
+    EXPECT_EQ(read_value(Reading{text, {"d.xml", 1, 1}, unit, rules}, value), "") << text;
+    return value;
+  };
+  EXPECT_EQ(in("0.5 m/s", "m/s"), 0.5);
+  EXPECT_EQ(in("36 km/h", "m/s"), 10);
+  EXPECT_EQ(in("1 h", "s"), 3600);
+  EXPECT_EQ(in("30 deg", "deg"), 30);
+  EXPECT_DOUBLE_EQ(in("1 rad", "deg"), 180 / std::acos(-1.0));
+  EXPECT_DOUBLE_EQ(in("asin(1)", "deg"), 90);  // a formula is in SI units
+  EXPECT_EQ(in("30", "deg"), 30);
+  EXPECT_EQ(in("50 %", "1"), 0.5);
+  EXPECT_EQ(in("0.15 km", "as the quantity"), 150);
+  EXPECT_EQ(in("2*3", "m"), 6);
+  EXPECT_EQ(fault<double>("3 kn", {}, "kg/m^3"),
+            "it is in kn, hence m/s, and a value in kg/m^3 is needed, such as '3 kg/m^3'");
+  EXPECT_EQ(fault<double>("3 m", {}, "1"), "it is in m, and a plain number is needed, such as '3'");
+  EXPECT_EQ(fault<int>("3 m", {}, ""), "a count has no unit");
+  EXPECT_EQ(fault<double>("3 meters", {}, "m"), "there is no unit 'meters'; did you mean 'm'?");
+  EXPECT_EQ(fault<double>("-1 km", positive(), "m"), "it must be > 0 m");
+  EXPECT_EQ(read<int>("2*3"), 6);
+  EXPECT_EQ(fault<int>("7/2"), "a whole number is needed, and this is 3.5");
+  EXPECT_EQ(fault<int>("1e6*1e6"), "a whole number is needed, and this is 1e+12");
+}
+
+TEST(Value, ListsWithUnits) {
+  const auto in = [](const std::string& text) {
+    std::vector<double> value;
+    const Rules rules;
+    EXPECT_EQ(read_value(Reading{text, {"d.xml", 1, 1}, "m", rules}, value), "") << text;
+    return value;
+  };
+  EXPECT_THAT(in("0 -420 m"), testing::ElementsAre(0, -420));
+  EXPECT_THAT(in("0 1 km"), testing::ElementsAre(0, 1000));
+  EXPECT_THAT(in("5 m -0.5 km"), testing::ElementsAre(5, -500));
+  EXPECT_THAT(in("0; 2*3 + 1"), testing::ElementsAre(0, 7));
+  EXPECT_THAT(in("1 m; 1 km"), testing::ElementsAre(1, 1000));
+  EXPECT_EQ(fault<std::vector<double>>("1 m 2", {}, "m"),
+            "every value of the list needs its unit, or only the last one, for all");
+  EXPECT_EQ(fault<std::vector<double>>("0 1 kn", {}, "m"),
+            "in '0 kn', it is in kn, hence m/s, and a value in m is needed, such as '0 m'");
+  EXPECT_EQ(fault<std::vector<double>>("a b", {}, "m"),
+            "the name 'a' is not known; names are X, Y, Z, t, x, y, z, pi");
 }
 
 TEST(Value, WrittenValuesReadBackTheSame) {

@@ -17,6 +17,18 @@ std::string component_names(int count) {
   return names;
 }
 
+/// A constant that was written with a unit must fit the field; formulas are in SI units.
+void check_units(const Located<Expressions>& values, const FieldDescription& field,
+                 Diagnostics& diagnostics) {
+  Unit of_field;
+  if (!read_unit(field.unit, of_field).empty()) return;
+  for (const Expression& value : values.value)
+    if (value.unit() && !same_dimension(*value.unit(), of_field))
+      diagnostics.error(values.location, "a value is in " + value.unit()->text + ", and field '" +
+                                             field.name + "' is in " + field.unit +
+                                             ", such as '0.5 " + field.unit + "'");
+}
+
 }  // namespace
 
 Conditions::Conditions(const Assembler& assembler, const ConditionsDeck& deck,
@@ -62,6 +74,7 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, Diagnostics& di
                  : "component " + deck.component.value) +
             " of field '" + deck.field.value + "', " + std::to_string(entry.value.size()) +
             " given; formulas are set apart by ';'");
+  check_units(deck.value, dofs_.fields()[static_cast<std::size_t>(field)], diagnostics);
   for (const Expression& value : entry.value)
     if (entry.is_displacement && value.depends_on_moved_position())
       diagnostics.error(

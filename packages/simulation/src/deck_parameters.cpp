@@ -53,6 +53,7 @@ Spec<NonlinearOptions> newton_spec() {
 Spec<ConditionDeck> condition_spec(const std::string& tag, const std::string& meaning) {
   using P = ConditionDeck;
   return Spec<P>(tag, meaning)
+      .attribute("name", &P::name, "By which another deck or --set can change it.")
       .attribute("field", &P::field, required(), "Field by name, such as velocity.")
       .attribute("on", &P::on, required(), "Regions, by name.")
       .attribute("component", &P::component, one_of({"all", "x", "y", "z"}),
@@ -137,6 +138,16 @@ Spec<MeshDeck> MeshDeck::spec() {
       });
 }
 
+Spec<ParameterDeck> ParameterDeck::spec() {
+  using P = ParameterDeck;
+  return Spec<P>("parameter", "A value with a name, for use in numbers and formulas of the deck.")
+      .attribute("name", &P::name, required(), "Letters, digits and _, such as tow_speed.")
+      .attribute("value", &P::value, required(),
+                 "A number, a number with its unit, or a formula of earlier parameters.")
+      .attribute("unit", &P::unit, "Of a bare number as value; SI when left out.")
+      .attribute("meaning", &P::meaning, "What it is, for the reader.");
+}
+
 Spec<PluginDeck> PluginDeck::spec() {
   return Spec<PluginDeck>("plugin", "A shared library with further physics modules.")
       .attribute("name", &PluginDeck::name, required(), "Its name, without folder and ending.");
@@ -206,7 +217,7 @@ Spec<TowDeck> TowDeck::spec() {
                  "Reports the positioning errors of a towed cable and the force at its tow point.")
       .attribute("cable", &P::cable, required(), "Line region of the cable.")
       .attribute("tow-point", &P::tow_point, required(), "Point region where it is towed.")
-      .attribute("angle", &P::angle, "degrees", between(-180, 180),
+      .attribute("angle", &P::angle, "deg", between(-180, 180),
                  "Of the tow axis from upstream (+y) toward +x.")
       .attribute("speed", &P::speed, "m/s", non_negative(),
                  "Of the tow, for the exact straight-cable values.")
@@ -259,6 +270,8 @@ Spec<RunDeck> RunDeck::spec() {
   using P = RunDeck;
   return Spec<P>("hawser", "One simulation.")
       .attribute("title", &P::title, "What this run is.")
+      .attribute("extends", &P::extends, "Another deck, of which this one says what differs.")
+      .children(&P::parameters)
       .child(&P::mesh, required())
       .children(&P::plugins)
       .child(&P::modules, required())

@@ -1,8 +1,7 @@
 #include "src/run_case.hpp"
 
-#include <filesystem>
-
 #include "hawser/base/error.hpp"
+#include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/plugin_loader.hpp"
 
 namespace hawser {
@@ -52,20 +51,14 @@ RunCase read_case(const Communicator& communicator, Deck text, const RunOptions&
 }
 
 std::string resolved(const Deck& deck, const ModuleRegistry& registry) {
-  return resolved_deck(deck.root, RunDeck::spec().node_spec(), [&](const std::string& tag) {
-    const ModuleRegistry::Entry* const entry = registry.find(tag);
-    return entry == nullptr ? nullptr : &entry->spec;
-  });
+  const DeckLanguage language = deck_language(registry);
+  return resolved_deck(deck.root, language.root, language.open_children);
 }
 
 ProvidedMesh provide_mesh(const Communicator& communicator, const RunCase& run,
                           const std::string& place) {
   const MeshDeck& mesh = run.deck.mesh;
-  if (mesh.file) {
-    const std::filesystem::path name = mesh.file->name;
-    const std::filesystem::path folder = std::filesystem::path(run.text.file).parent_path();
-    return {(folder / name).string(), {}};
-  }
+  if (mesh.file) return {path_beside(run.text, mesh.file->name), {}};
   const std::string made = mesh.tow_box ? generate_mesh(communicator, mesh.tow_box->box(), place)
                                         : generate_mesh(communicator, mesh.water_box->box(), place);
   return {place, made};

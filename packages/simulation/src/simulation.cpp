@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "hawser/base/error.hpp"
+#include "hawser/simulation/deck_language.hpp"
 #include "src/progress.hpp"
 #include "src/provenance.hpp"
 #include "src/run_case.hpp"
@@ -169,7 +170,9 @@ Simulation::Simulation(const Communicator& communicator, ModuleRegistry registry
     : implementation_(
           std::make_unique<Implementation>(communicator, std::move(registry), options)) {
   Diagnostics diagnostics;
-  implementation_->read(read_deck(communicator, deck_file, diagnostics), diagnostics);
+  implementation_->read(read_deck(communicator, deck_file, options.changes,
+                                  deck_language(implementation_->registry), diagnostics),
+                        diagnostics);
 }
 
 Simulation Simulation::restart(const Communicator& communicator, ModuleRegistry registry,

@@ -1,11 +1,13 @@
 #pragma once
 // The XML as read: a tree of plain values in which every element and attribute knows its place.
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "hawser/base/communicator.hpp"
 #include "hawser/deck/diagnostics.hpp"
 #include "hawser/deck/location.hpp"
+#include "hawser/deck/named_value.hpp"
 
 namespace hawser {
 
@@ -20,6 +22,7 @@ struct DeckNode {
   Location location;  ///< of the tag
   std::vector<DeckAttribute> attributes;
   std::vector<DeckNode> children;
+  std::shared_ptr<const NamedValues> names = {};  ///< the parameters that values may use
 
   const DeckAttribute* find_attribute(const std::string& name) const;  ///< null when absent
   const DeckNode* find_child(const std::string& child_tag) const;  ///< the first; null if absent
@@ -27,7 +30,7 @@ struct DeckNode {
 
 struct Deck {
   std::string file;
-  std::string text;  ///< exactly as read
+  std::string text;  ///< as read; of a deck that extends or was changed, the merged one
   DeckNode root;
 };
 
@@ -40,7 +43,10 @@ constexpr int deck_depth_limit = 64;                ///< nested elements
 /// instructions) is added to `diagnostics`, to be reported together with the other faults.
 Deck read_deck(const Communicator& communicator, const std::string& file, Diagnostics& diagnostics);
 
-/// The same for a text at hand; `file` appears in the messages.
+/// The same for a text at hand, which extends no other; `file` appears in the messages.
 Deck parse_deck(const std::string& text, const std::string& file, Diagnostics& diagnostics);
+
+/// XML text of an element and all that it holds, every value as given.
+std::string deck_text(const DeckNode& node);
 
 }  // namespace hawser

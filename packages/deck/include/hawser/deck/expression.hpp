@@ -2,15 +2,18 @@
 // A number, or a formula of place and time, as decks give it: "-0.5*ramp(t, 0, 100)".
 //
 // Variables: t (s); x, y, z (m) where the moving point is now; X, Y, Z (m) where it was at first.
-// Constant: pi. Functions, beside muParser's sin, exp, sqrt, abs, min, max, atan2, a ? b : c, ...:
+// Constants: pi and the deck's parameters, in SI units. Functions, beside muParser's sin, exp,
+// sqrt, abs, min, max, atan2, a ? b : c, ...:
 //   ramp(t, start, duration)           0 before, 1 after, 10 s^3 - 15 s^4 + 6 s^5 between (C2)
 //   ramp_distance(t, start, duration)  its integral over t, in s: the way of a ramped unit speed
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hawser/deck/location.hpp"
+#include "hawser/deck/named_value.hpp"
 
 namespace hawser {
 
@@ -29,9 +32,13 @@ class Expression {
   Expression(double value = 0);  // NOLINT: a number is an expression
   /// Throws DeckError when the formula is faulty.
   explicit Expression(const std::string& formula, const Location& location = {});
-  /// The same without throwing: returns what is wrong, or "" and sets `result`.
+  /// The same without throwing: returns what is wrong, or "" and sets `result`. `names` may be
+  /// null.
   static std::string compile(const std::string& formula, const Location& location,
-                             Expression& result);
+                             const NamedValues* names, Expression& result);
+  /// A constant that was written with its unit, such as "2 kn"; `value` is in SI units.
+  static Expression constant(double value, const std::optional<Unit>& unit,
+                             const Location& location);
 
   double operator()(const SpaceTime& point) const;
 
@@ -47,6 +54,8 @@ class Expression {
 
   const std::string& text() const { return text_; }
   const Location& location() const { return location_; }
+  /// The unit that a constant was given with, so that its dimension can be checked.
+  const std::optional<Unit>& unit() const { return unit_; }
 
   /// 6e-6 (about the cube root of the rounding unit) times the larger of |value| and 1 (s or m).
   static double derivative_step(double value);
@@ -59,6 +68,7 @@ class Expression {
   double value_ = 0;  // when constant
   std::shared_ptr<const Formula> formula_;
   std::string text_;
+  std::optional<Unit> unit_;
   Location location_;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hawser/deck/deck.hpp"
+#include "hawser/deck/value.hpp"
 
 namespace hawser {
 
@@ -18,6 +19,9 @@ struct AttributeSpec {
   std::string meaning;       ///< one sentence
   std::vector<std::string> choices;  ///< when only certain words are allowed
   bool is_required = false;
+  /// What the text amounts to, as plain numbers in `unit`; empty for texts. A faulty text is
+  /// returned as it is.
+  std::function<std::string(const Reading&)> resolve = {};
 };
 
 struct ChildSpec;
@@ -28,6 +32,10 @@ struct NodeSpec {
   std::vector<AttributeSpec> attributes;
   std::vector<ChildSpec> children;
   std::string open_children;  ///< not empty: children that a table knows are allowed too
+
+  /// The attribute that tells repeated elements apart, where decks are extended or changed: the
+  /// first of name, quantity, on, region that there is; or "".
+  std::string key() const;
 };
 
 struct ChildSpec {
@@ -44,8 +52,8 @@ using SpecLookup = std::function<const NodeSpec*(const std::string& tag)>;
 /// For people: every attribute and child with type, unit, default, range and meaning.
 std::string describe(const NodeSpec& spec);
 
-/// The deck that `node` amounts to: every value as given, and every default that was used. XML
-/// text.
+/// The deck that `node` amounts to, as XML: every value as a plain number in its attribute's unit
+/// (with a comment that says how it was given), and every default that was used.
 std::string resolved_deck(const DeckNode& node, const NodeSpec& spec,
                           const SpecLookup& lookup = {});
 

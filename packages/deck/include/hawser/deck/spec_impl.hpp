@@ -13,6 +13,11 @@ Spec<P>&& Spec<P>::attribute(const std::string& name, T Owner::*member, const st
   Attribute attribute;
   attribute.spec = {name,        type_name(T{}),   unit, "", rules.range_text(), meaning,
                     rules.words, rules.is_required};
+  if constexpr (IsNumeric<T>::value)
+    attribute.spec.resolve = [](const Reading& reading) {
+      T value{};
+      return read_value(reading, value).empty() ? write_value(value) : reading.text;
+    };
   attribute.rules = rules;
   attribute.read = [member](const Reading& reading, P& p) {
     T value = p.*member;
@@ -124,7 +129,7 @@ void Spec<P>::read_into(const DeckNode& node, P& value, Diagnostics& diagnostics
     if (!given[i]) continue;
     const Attribute& attribute = attributes_[i];
     const Reading reading{trimmed(given[i]->value), given[i]->location, attribute.spec.unit,
-                          attribute.rules};
+                          attribute.rules, node.names.get()};
     const std::string fault = attribute.read(reading, value);
     if (!fault.empty()) report_value(node, *given[i], fault, diagnostics);
   }

@@ -1,6 +1,7 @@
 #pragma once
 // How the text of an attribute becomes a C++ value, strictly: a value is read whole or it is an
-// error.
+// error. Numbers may carry a unit or be formulas of the deck's parameters; they arrive in the unit
+// of the attribute's declaration.
 //
 // Each value type has three functions: read_value, write_value, type_name. A type of one's own
 // joins in by overloading them in its namespace.
@@ -21,6 +22,7 @@ struct Reading {
   Location location;
   std::string unit;
   const Rules& rules;
+  const NamedValues* names = nullptr;  ///< the deck's parameters; may be null
 };
 
 /// On success sets `value` and returns ""; else returns what is wrong and what is allowed, a clause
@@ -98,5 +100,15 @@ template <class T>
 struct IsQuantity<Located<T>> : IsQuantity<T> {};
 template <class T>
 struct IsQuantity<std::optional<T>> : IsQuantity<T> {};
+
+/// Types made of numbers, which may be written with units or as formulas.
+template <class T>
+struct IsNumeric : IsQuantity<T> {};
+template <>
+struct IsNumeric<int> : std::true_type {};
+template <class T>
+struct IsNumeric<Located<T>> : IsNumeric<T> {};
+template <class T>
+struct IsNumeric<std::optional<T>> : IsNumeric<T> {};
 
 }  // namespace hawser

@@ -30,7 +30,7 @@ struct WaterBoxDeck {
 };
 
 struct MeshFileDeck {
-  std::string name;
+  Located<std::string> name;
   static Spec<MeshFileDeck> spec();
 };
 
@@ -41,6 +41,12 @@ struct MeshDeck {
   std::optional<MeshFileDeck> file;
   Location location;
   static Spec<MeshDeck> spec();
+};
+
+/// A named value for use in the rest of the deck; read_deck() has evaluated it already.
+struct ParameterDeck {
+  std::string name, value, unit, meaning;
+  static Spec<ParameterDeck> spec();
 };
 
 struct PluginDeck {
@@ -55,6 +61,7 @@ struct ModulesDeck {
 
 /// A value on a region: at the start, or prescribed within a window of time.
 struct ConditionDeck {
+  std::string name;
   Located<std::string> field;
   Located<std::vector<std::string>> on;
   Located<std::string> component{"all", {}};
@@ -118,7 +125,8 @@ struct ExpectDeck {
 };
 
 struct RunDeck {
-  std::string title;
+  std::string title, extends;
+  std::vector<ParameterDeck> parameters;
   MeshDeck mesh;
   std::vector<PluginDeck> plugins;
   ModulesDeck modules;

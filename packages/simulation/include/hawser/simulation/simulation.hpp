@@ -3,8 +3,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hawser/base/communicator.hpp"
+#include "hawser/deck/read_deck.hpp"
 #include "hawser/output/summary.hpp"
 #include "hawser/physics/module_registry.hpp"
 
@@ -13,9 +15,10 @@ namespace hawser {
 struct RunOptions {
   std::string output;  ///< result folder
   std::string plugin_folder;
-  bool force = false;         ///< write over the results of a finished run
-  bool quiet = false;         ///< no progress lines
-  std::optional<double> end;  ///< s, instead of the deck's end
+  std::vector<DeckChange> changes;  ///< of the deck; a restarted run has them in its checkpoint
+  bool force = false;               ///< write over the results of a finished run
+  bool quiet = false;               ///< no progress lines
+  std::optional<double> end;        ///< s, instead of the deck's end
 };
 
 class Simulation {

@@ -1,0 +1,186 @@
+// Values that the command line replaces.
+#include <algorithm>
+#include <charconv>
+
+#include "hawser/base/error.hpp"
+#include "hawser/deck/spec_reader.hpp"
+#include "src/deck_edit.hpp"
+#include "src/number.hpp"
+
+namespace hawser {
+namespace {
+
+struct Step {
+  std::string tag, key;  // tag[key]
+};
+
+/// "a/b[k]/c": the steps a and b[k] to the element, and its attribute c.
+std::string read_path(const std::string& path, std::vector<Step>& steps, std::string& attribute) {
+  std::vector<std::string> parts(1);
+  bool in_key = false;
+  for (const char c : path) {
+    if (c == '[') in_key = true;
+    if (c == ']') in_key = false;
+    if (c == '/' && !in_key)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  if (in_key) return "a ']' is missing in the path";
+  attribute = parts.back();
+  parts.pop_back();
+  for (const std::string& part : parts) {
+    const std::size_t bracket = part.find('[');
+    if (bracket == std::string::npos && part.find(']') == std::string::npos)
+      steps.push_back({part, ""});
+    else if (bracket == std::string::npos || part.back() != ']')
+      return "the path must be like time/step or conditions/prescribe[inflow]/value";
+    else
+      steps.push_back(
+          {part.substr(0, bracket), part.substr(bracket + 1, part.size() - bracket - 2)});
+  }
+  for (const Step& step : steps)
+    if (step.tag.empty()) return "the path must be like time/step; it has no '/' at its beginning";
+  if (attribute.empty() || attribute.find('[') != std::string::npos)
+    return "the path must end with the name of an attribute, such as time/step";
+  return "";
+}
+
+class Setter {
+ public:
+  Setter(const DeckChange& change, const DeckLanguage& language, Diagnostics& diagnostics)
+      : where_{"--set " + change.text(), 0, 0},
+        change_(change),
+        language_(language),
+        diagnostics_(diagnostics) {}
+
+  void set(DeckNode& root) {
+    std::vector<Step> steps;
+    std::string attribute;
+    const std::string fault = read_path(change_.path, steps, attribute);
+    if (!fault.empty()) return error(fault);
+    const NodeSpec* spec = &language_.root;
+    DeckNode* node = &root;
+    if (steps.empty() && !is_attribute_of_root(root, attribute)) {
+      if (!has_parameter(root, attribute)) return report_unknown_name(root, attribute);
+      steps.push_back({"parameter", attribute});
+      attribute = "value";
+    }
+    for (const Step& step : steps) {
+      const NodeSpec* const child_spec = spec_of_child(spec, language_, step.tag);
+      node = go_to(*node, step, spec, child_spec);
+      if (node == nullptr) return;
+      spec = child_spec;
+    }
+    set(*node, attribute, spec);
+  }
+
+ private:
+  void error(const std::string& sentence) { diagnostics_.error(where_, sentence); }
+
+  static bool has_parameter(DeckNode& root, const std::string& name) {
+    const auto parameters = children_of(root, "parameter");
+    return std::any_of(parameters.begin(), parameters.end(), [&](const DeckNode* parameter) {
+      const DeckAttribute* const given = parameter->find_attribute("name");
+      return given != nullptr && given->value == name;
+    });
+  }
+
+  bool is_attribute_of_root(const DeckNode& root, const std::string& name) const {
+    const auto& known = language_.root.attributes;
+    return root.find_attribute(name) != nullptr ||
+           std::any_of(known.begin(), known.end(),
+                       [&](const AttributeSpec& attribute) { return attribute.name == name; });
+  }
+
+  void report_unknown_name(DeckNode& root, const std::string& name) {
+    std::vector<std::string> names;
+    for (const DeckNode* const parameter : children_of(root, "parameter"))
+      if (const DeckAttribute* const given = parameter->find_attribute("name"))
+        names.push_back(given->value);
+    error("the deck has no parameter " + quoted(name) + "; it has " + listed(names) +
+          did_you_mean(name, names) +
+          (names.empty() ? "; other values are set by their path, such as time/step" : ""));
+  }
+
+  DeckNode* go_to(DeckNode& parent, const Step& step, const NodeSpec* parent_spec,
+                  const NodeSpec* spec) {
+    std::vector<DeckNode*> candidates = children_of(parent, step.tag);
+    if (candidates.empty()) return make(parent, step, parent_spec, spec);
+    if (step.key.empty()) {
+      if (candidates.size() == 1) return candidates.front();
+      error("there are " + std::to_string(candidates.size()) + " <" + step.tag +
+            ">; say which by name or number, such as " + step.tag +
+            "[1]: " + keys_of(candidates, spec));
+      return nullptr;
+    }
+    std::vector<std::string> keys;
+    for (DeckNode* const candidate : candidates) {
+      const DeckAttribute* const key = key_of(*candidate, spec);
+      if (key != nullptr && trimmed(key->value) == step.key) return candidate;
+      if (key != nullptr) keys.push_back(trimmed(key->value));
+    }
+    int number = 0;
+    if (read_whole_number(step.key, number).empty() && number >= 1 &&
+        static_cast<std::size_t>(number) <= candidates.size())
+      return candidates[static_cast<std::size_t>(number - 1)];
+    error("there is no <" + step.tag + "> " + quoted(step.key) + "; there are " +
+          keys_of(candidates, spec) + did_you_mean(step.key, keys));
+    return nullptr;
+  }
+
+  // An element that the deck leaves out, with all its defaults, is written for the purpose.
+  DeckNode* make(DeckNode& parent, const Step& step, const NodeSpec* parent_spec,
+                 const NodeSpec* spec) {
+    const bool is_module = parent_spec != nullptr && !parent_spec->open_children.empty();
+    if (spec != nullptr && step.key.empty() && !is_module)
+      return &add_child(parent, {step.tag, where_, {}, {}, {}});
+    std::vector<std::string> tags;
+    for (const DeckNode& child : parent.children)
+      tags.push_back(child.tag);
+    for (std::size_t i = 0; parent_spec != nullptr && i < parent_spec->children.size(); ++i)
+      tags.push_back(parent_spec->children[i].node.tag);
+    std::sort(tags.begin(), tags.end());
+    tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
+    const bool known = std::find(tags.begin(), tags.end(), step.tag) != tags.end();
+    error("<" + parent.tag + "> has no <" + step.tag + "> in this deck" +
+          (known ? "" : "; there are " + listed(tags) + did_you_mean(step.tag, tags)));
+    return nullptr;
+  }
+
+  void set(DeckNode& node, const std::string& name, const NodeSpec* spec) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; spec != nullptr && i < spec->attributes.size(); ++i)
+      names.push_back(spec->attributes[i].name);
+    if (spec != nullptr && std::find(names.begin(), names.end(), name) == names.end())
+      return error("<" + node.tag + "> has no attribute " + quoted(name) +
+                   "; allowed: " + listed(names) + did_you_mean(name, names));
+    for (DeckAttribute& attribute : node.attributes)
+      if (attribute.name == name) {
+        attribute.value = change_.value, attribute.location = where_;
+        return;
+      }
+    node.attributes.push_back({name, change_.value, where_});
+  }
+
+  Location where_;
+  const DeckChange& change_;
+  const DeckLanguage& language_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+DeckChange read_change(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw Error(ExitCode::usage, "--set " + text + ": needed is path=value, such as time/step=5");
+  return {trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))};
+}
+
+void apply(const DeckChange& change, DeckNode& root, const DeckLanguage& language,
+           Diagnostics& diagnostics) {
+  Setter(change, language, diagnostics).set(root);
+}
+
+}  // namespace hawser
