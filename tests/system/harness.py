@@ -50,12 +50,15 @@ def ranks_of(process):
 
 def edited(name, deck="tow.xml", **changes):
     """A copy of a deck in the scratch folder with attributes changed: time_end="40" sets the `end` of
-    <time>, and inside="..." puts elements before </hawser>."""
+    <time>, inside="..." puts elements before </hawser> and adapt="..." the element <adapt> into <time/>."""
     text = (DECKS / deck).read_text()
     inside = changes.pop("inside", "")
+    adapt = changes.pop("adapt", "")
     for key, value in changes.items():
         tag, attribute = key.split("_", 1)
         text = with_attribute(text, tag.replace("_", "-"), attribute.replace("_", "-"), value)
+    if adapt:
+        text = re.sub(r"<time\b([^>]*)/>", rf"<time\1><adapt {adapt}/></time>", text)
     path = SCRATCH / f"{name}.xml"
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text.replace("</hawser>", inside + "</hawser>"))

@@ -8,6 +8,9 @@ THIRDS = dict(output_checkpoint_every="3", time_step="6.666666666666667", time_e
 # Steps are rejected and cut; the checkpoint falls between a cut and the growth that a count of good steps brings.
 CUT = dict(output_checkpoint_every="2", newton_max_iterations="4", time_end="160", time_grow_after="3",
            output_fields_every="1")
+# The length of the steps follows their local error.
+STEERED = dict(output_checkpoint_every="4", time_scheme="generalised-alpha", time_step="5", adapt='error="2e-3"',
+               output_fields_every="5")
 
 
 class Restart(SystemTest):
@@ -34,6 +37,14 @@ class Restart(SystemTest):
         whole, parts = self.pair("cut", CUT, "110", 1)
         self.assertGreater(whole.summary()["steps_rejected"], 0)
         self.assertGreater(len(set(whole.history()["step_s"])), 1)
+        self.assertSame(whole, parts)
+
+    def test_with_generalised_alpha_and_steered_steps(self):
+        whole, parts = self.pair("steered", STEERED, "100", 1)
+        lengths = set(whole.history()["step_s"])
+        print(f"{len(lengths)} lengths from {min(lengths):.3g} to {max(lengths):.3g} s, rejected",
+              whole.summary()["steps_rejected"])
+        self.assertGreater(len(lengths), 3)
         self.assertSame(whole, parts)
 
     def test_in_a_folder_that_was_moved(self):

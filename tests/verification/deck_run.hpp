@@ -20,7 +20,7 @@ class DeckRun {
     Diagnostics diagnostics;
     const Deck parsed = parse_deck(text, "test.xml", diagnostics);
     deck_ = RunDeck::spec().read(parsed.root, diagnostics);
-    if (deck_.time.steady) deck_.time.step = deck_.time.end;
+    if (deck_.time.steady()) deck_.time.step = deck_.time.end;
     ModuleRegistry registry;
     register_ale_fluid(registry);
     register_cable(registry);
@@ -39,7 +39,9 @@ class DeckRun {
 
   System& system() { return *system_; }
   const DofMap& dofs() const { return *system_->dofs; }
+  /// Where the last step's equations stand, and its end.
   State& state() { return system_->problem->state(); }
+  const State& end() const { return system_->problem->end(); }
 
   /// Other values or rates at the start than the deck's.
   void start_from(const State& initial) { system_->integrator->start(initial); }
@@ -52,7 +54,7 @@ class DeckRun {
     problem.copy_guess(x);
     const NonlinearReport report = system_->driver->solve(x);
     problem.finish_step(x);
-    system_->integrator->accept(problem.state());
+    problem.accept();
     return report;
   }
 
@@ -71,14 +73,14 @@ class DeckRun {
       const LocalIndex moved = dofs().first_row(displacement, PointKind::vertex, vertex);
       double X[2];
       dofs().position(row, X);
-      visit(row, X, &state().value[static_cast<std::size_t>(moved)]);
+      visit(row, X, &end().value[static_cast<std::size_t>(moved)]);
     }
   }
 
   /// Largest |value_c - expected(X, d)[c]| of a field on a region, over all ranks.
   template <class Expected>
   double deviation(const std::string& field, const std::string& region, Expected&& expected) {
-    return deviation_of(state().value, field, region, expected);
+    return deviation_of(end().value, field, region, expected);
   }
   template <class Expected>
   double deviation_of(const std::vector<double>& numbers, const std::string& field,

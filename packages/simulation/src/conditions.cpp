@@ -31,9 +31,9 @@ void check_units(const Located<Expressions>& values, const FieldDescription& fie
 
 }  // namespace
 
-Conditions::Conditions(const Assembler& assembler, const ConditionsDeck& deck,
-                       Diagnostics& diagnostics)
-    : assembler_(assembler), dofs_(assembler.dofs()) {
+Conditions::Conditions(const Assembler& assembler, const std::vector<RateRule>& rate_rules,
+                       const ConditionsDeck& deck, Diagnostics& diagnostics)
+    : assembler_(assembler), dofs_(assembler.dofs()), rate_rules_(rate_rules) {
   velocity_of_.assign(static_cast<std::size_t>(dofs_.rows()), -1);
   for (const auto& pair : assembler.kinematic_pairs())
     velocity_of_[static_cast<std::size_t>(pair.displacement)] = pair.velocity;
@@ -58,6 +58,7 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, Diagnostics& di
       find_region(dofs_.mesh(), name, deck.on.location, diagnostics);
     return entry;
   }
+  entry.has_rate = rate_rules_[static_cast<std::size_t>(field)] != RateRule::none;
   const int components = dofs_.fields()[static_cast<std::size_t>(field)].components;
   const bool all = deck.component.value == "all";
   entry.first_component = all ? 0 : deck.component.value[0] - 'x';
@@ -140,16 +141,16 @@ void Conditions::set_initial(const Entry& entry, State& state) const {
   }
 }
 
-std::vector<PrescribedRow> Conditions::prescribed(const State& state) const {
+std::vector<PrescribedRow> Conditions::prescribed(const State& state, const State& end) const {
   std::vector<PrescribedRow> result;
   // The slack of step control: an end of a step this near to an edge is the edge.
-  const double slack = std::isfinite(state.step) ? 1e-6 * state.step : 0;
+  const double slack = std::isfinite(end.step) ? 1e-6 * end.step : 0;
   dofs_.mesh().communicator.together([&] {
     for (const Entry& entry : prescribed_) {
-      if (state.time <= entry.from + slack || state.time > entry.until + slack) continue;
+      if (end.time <= entry.from + slack || end.time > entry.until + slack) continue;
       for (const LocalIndex first : entry.first_rows) {
         if (first >= dofs_.owned()) continue;
-        const SpaceTime at = point(first, state);
+        const SpaceTime at = point(first, entry.has_rate ? end : state);
         for (std::size_t c = 0; c < entry.value.size(); ++c) {
           const LocalIndex row = first + entry.first_component + static_cast<LocalIndex>(c);
           const Expression& value = entry.value[c];

@@ -11,14 +11,17 @@ namespace hawser {
 class Conditions {
  public:
   /// Faults (unknown field, region, component) go to `diagnostics`; the same on all ranks.
-  Conditions(const Assembler& assembler, const ConditionsDeck& deck, Diagnostics& diagnostics);
+  Conditions(const Assembler& assembler, const std::vector<RateRule>& rate_rules,
+             const ConditionsDeck& deck, Diagnostics& diagnostics);
 
   /// Values at the start and, where a value depends on time, its rate.
   void set_initial(State& state) const;
 
-  /// The prescribed rows for a step that ends at state.time. A structure's prescribed displacement
-  /// prescribes its velocity too: the displacement's derivative in time. Collective (SolveError).
-  std::vector<PrescribedRow> prescribed(const State& state) const;
+  /// The prescribed rows of a step whose equations stand at `state` and which ends with `end`: the
+  /// values at its end, but for fields without a rate at the equations' instant. A structure's
+  /// prescribed displacement prescribes its velocity too: the displacement's derivative in time.
+  /// Collective (SolveError).
+  std::vector<PrescribedRow> prescribed(const State& state, const State& end) const;
 
   /// True when some value depends on the moved position: prescribed() then changes within a step.
   bool follow_the_mesh() const { return follow_the_mesh_; }
@@ -30,6 +33,7 @@ class Conditions {
   struct Entry {
     std::vector<LocalIndex> first_rows;  // local, owned and ghost
     bool is_displacement = false;
+    bool has_rate = true;
     int first_component = 0;
     Expressions value;
     double from = -std::numeric_limits<double>::infinity();
@@ -43,6 +47,7 @@ class Conditions {
 
   const Assembler& assembler_;
   const DofMap& dofs_;
+  std::vector<RateRule> rate_rules_;  // per field
   std::vector<LocalIndex>
       velocity_of_;  // per local row: a structure displacement's velocity row, or -1
   std::vector<Entry> initial_, prescribed_;

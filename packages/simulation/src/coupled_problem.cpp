@@ -18,13 +18,28 @@ CoupledProblem::CoupledProblem(Assembler& assembler, TimeIntegrator& integrator,
     array->assign(rows, 0);
 }
 
+void CoupledProblem::start() {
+  integrator_.start(state_);
+  end_ = state_;
+}
+
 void CoupledProblem::begin_step(double step) {
   integrator_.begin_step(step, state_);
-  constraints_.prescribe(conditions_.prescribed(state_));
+  prescribe();
   for (const PrescribedRow& row : constraints_.prescribed())
     state_.value[static_cast<std::size_t>(row.row)] = row.value;
   assembler_.spread(state_.value);
   integrator_.update_rates(state_);
+  integrator_.extrapolate(state_, end_);
+}
+
+void CoupledProblem::prescribe() {
+  integrator_.extrapolate(state_, end_);
+  std::vector<PrescribedRow> rows = conditions_.prescribed(state_, end_);
+  // Where the value follows the mesh, its slope is the same at both instants.
+  for (PrescribedRow& row : rows)
+    row.value = integrator_.at_instant(row.row, row.value);
+  constraints_.prescribe(std::move(rows));
 }
 
 void CoupledProblem::copy_guess(TpetraVector& x) const {
@@ -35,11 +50,12 @@ void CoupledProblem::copy_guess(TpetraVector& x) const {
 void CoupledProblem::set_state(const TpetraVector& x) {
   assembler_.spread(x, state_.value);
   integrator_.update_rates(state_);
-  if (conditions_.follow_the_mesh()) constraints_.prescribe(conditions_.prescribed(state_));
+  if (conditions_.follow_the_mesh()) prescribe();
 }
 
 void CoupledProblem::finish_step(const TpetraVector& x) {
   set_state(x);
+  integrator_.extrapolate(state_, end_);
   assembler_.residual(state_, total_, magnitude_);
 }
 

@@ -13,18 +13,25 @@ class CoupledProblem : public NonlinearProblem {
  public:
   CoupledProblem(Assembler& assembler, TimeIntegrator& integrator, const Conditions& conditions);
 
-  /// Predicts the state at the end of a step and puts the prescribed values in.
+  /// The state as it is now becomes the start.
+  void start();
+  /// Predicts the state and puts the prescribed values in.
   void begin_step(double step);
   void copy_guess(TpetraVector& x) const;
   /// Makes x the state and evaluates the balances there, so that reactions() belongs to it.
   void finish_step(const TpetraVector& x);
+  void accept() { integrator_.accept(state_); }
 
   BlockSystem& system() override { return assembler_.system(); }
   void residual(const TpetraVector& x, TpetraVector& f, TpetraVector& magnitude) override;
   void jacobian(const TpetraVector& x) override;
 
+  /// At the instant at which the step's equations are formed; balances, reactions and fields
+  /// without a rate (pressure) live there.
   State& state() { return state_; }
   const State& state() const { return state_; }
+  /// At the end of the step.
+  const State& end() const { return end_; }
   /// Per owned row, what supports must supply: the assembled balance before any condition.
   const std::vector<double>& reactions() const { return total_; }
 
@@ -33,12 +40,13 @@ class CoupledProblem : public NonlinearProblem {
 
  private:
   void set_state(const TpetraVector& x);
+  void prescribe();
 
   Assembler& assembler_;
   TimeIntegrator& integrator_;
   const Conditions& conditions_;
   Constraints constraints_;
-  State state_;
+  State state_, end_;
   std::vector<double> total_, residual_, magnitude_;
   Stopwatch residual_watch_, tangent_watch_;
 };

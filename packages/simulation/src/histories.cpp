@@ -13,7 +13,9 @@ Histories::Histories(const Communicator& communicator, const std::string& folder
                      const std::vector<Probe>& probes, std::optional<double> keep_until)
     : tow_(tow) {
   std::vector<Column> columns = {{"t", "s"},
+                                 {"t_balance", "s"},
                                  {"step", "s"},
+                                 {"local_error", ""},
                                  {"newton_iterations", ""},
                                  {"linear_iterations", ""},
                                  {"mesh_quality_min", ""},
@@ -45,7 +47,9 @@ Histories::Histories(const Communicator& communicator, const std::string& folder
 
 void Histories::append(const StepFigures& figures) {
   std::vector<double> row = {figures.time,
+                             figures.balance_time,
                              figures.length,
+                             figures.local_error.value_or(0),
                              static_cast<double>(figures.newton_iterations),
                              static_cast<double>(figures.linear_iterations),
                              figures.mesh_quality,

@@ -26,7 +26,9 @@ std::string probe_column(const Probe& probe, int component);
 /// What one step amounts to, for the histories, the summary and the progress line.
 struct StepFigures {
   int step = 0;
-  double time = 0, length = 0;  ///< s
+  double time = 0, length = 0;        ///< s, at the end of the step and its length
+  std::optional<double> local_error;  ///< relative, of the time scheme; none in the first steps
+  double balance_time = 0;            ///< s, at which pressures and forces stand
   int newton_iterations = 0, linear_iterations = 0;
   double mesh_quality = 1, courant = 0;
   TowMeasures tow;

@@ -7,15 +7,17 @@ namespace hawser {
 namespace {
 
 void measure(const System& system, StepFigures& result) {
-  const State& state = system.problem->state();
+  const State& state = system.problem->end();
+  const State& balance = system.problem->state();
   result.time = state.time;
+  result.balance_time = balance.time;
   result.length = system.integrator->history().step;
   const MeshFigures mesh = inspect_mesh(*system.dofs, state);
   result.mesh_quality = mesh.least_quality;
   result.courant = mesh.courant;
   if (system.tow) result.tow = system.tow->measure(state, system.problem->reactions());
   for (const ForceReport& force : system.forces)
-    result.forces.push_back(force.measure(state, system.problem->reactions()));
+    result.forces.push_back(force.measure(balance, system.problem->reactions()));
   for (const Probe& probe : system.probes)
     for (int c = 0; c < probe.components; ++c)
       result.probes.push_back(system.mesh.communicator.sum(
@@ -46,7 +48,7 @@ void RunRecord::accepted(StepFigures& figures) {
 
 void RunRecord::write(const StepFigures& figures, const StepControl& steps, bool last) {
   const auto lap = watch_.lap();
-  const State& state = system_.problem->state();
+  const State& state = system_.problem->end();
   const OutputDeck& output = run_.deck.output;
   const auto due = [&](int every) { return every > 0 && step_ % every == 0; };
   if (due(output.history_every) || last) histories_.append(figures);

@@ -67,7 +67,7 @@ struct Simulation::Implementation {
       throw MeshError(deck().mesh.location.text() + ": " + error.what());
     }
     steps = std::make_unique<StepControl>(
-        deck().time, deck().time.steady ? std::vector<double>() : system->conditions->events());
+        deck().time, deck().time.steady() ? std::vector<double>() : system->conditions->events());
     if (checkpoint) {
       system->integrator->resume(load_history(*system->dofs, *checkpoint));
       const auto& numbers = checkpoint->header().numbers;
@@ -90,6 +90,7 @@ struct Simulation::Implementation {
     problem.finish_step(x);
     StepFigures result;
     result.newton_iterations = report.iterations;
+    result.local_error = system->integrator->local_error(problem.state());
     result.linear_iterations = report.linear_iterations;
     progress->solved(report);
     return result;
@@ -101,12 +102,18 @@ struct Simulation::Implementation {
     const double length = steps->next(now(), system->integrator->history().step);
     try {
       StepFigures result = attempt(length);
-      steps->accepted();
+      const StepOutcome outcome{result.local_error, result.newton_iterations};
+      if (steps->is_too_inaccurate(outcome) && steps->rejected(length, outcome)) {
+        record->rejected();
+        progress->rejected(now(), length, "local error " + write_value(*result.local_error));
+        return std::nullopt;
+      }
+      steps->accepted(length, outcome);
       return result;
     } catch (const SolveError& error) {
       record->rejected();
       progress->rejected(now(), length, error.what());
-      if (deck().time.steady) throw;
+      if (deck().time.steady()) throw;
       if (steps->rejected(length)) return std::nullopt;
       throw SolveError(std::string(error.what()) +
                        "; the least step was reached, the last accepted state is in " +
@@ -134,7 +141,7 @@ struct Simulation::Implementation {
       obey(signals.take());
       std::optional<StepFigures> figures = advance();
       if (!figures) continue;
-      system->integrator->accept(system->problem->state());
+      system->problem->accept();
       record->accepted(*figures);
       progress->stepped(*figures, deck().time.end);
       record->write(*figures, *steps, steps->finished(now()));

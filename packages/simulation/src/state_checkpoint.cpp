@@ -9,10 +9,11 @@ struct Part {
   const char* name;
   std::vector<double> TimeHistory::*values;
 };
-constexpr int part_count = 3;
+constexpr int part_count = 4;
 const Part parts[part_count] = {{"value", &TimeHistory::value},
                                 {"rate", &TimeHistory::rate},
-                                {"quotient", &TimeHistory::quotient}};
+                                {"quotient", &TimeHistory::quotient},
+                                {"earlier-rate", &TimeHistory::earlier_rate}};
 
 const char* kind_name(PointKind kind) {
   switch (kind) {
@@ -73,6 +74,7 @@ void save_history(const DofMap& dofs, const TimeHistory& history, CheckpointHead
       });
   header.time = history.time;
   header.numbers["history_step_s"] = history.step;
+  header.numbers["history_earlier_step_s"] = history.earlier_step;
   write_checkpoint(dofs.mesh().communicator, path, header, arrays);
 }
 
@@ -80,6 +82,7 @@ TimeHistory load_history(const DofMap& dofs, const CheckpointReader& reader) {
   TimeHistory history;
   history.time = reader.header().time;
   history.step = reader.header().numbers.at("history_step_s");
+  history.earlier_step = reader.header().numbers.at("history_earlier_step_s");
   for (const Part& part : parts)
     (history.*part.values).assign(static_cast<std::size_t>(dofs.rows()), 0);
   visit_arrays(

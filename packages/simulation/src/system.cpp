@@ -46,10 +46,11 @@ Probe make_probe(const DofMap& dofs, const ProbeDeck& deck, Diagnostics& diagnos
 
 /// A steady solve has no relation from which an unprescribed structure's displacement could follow.
 void check_steady(const System& system, const RunDeck& deck) {
-  if (!deck.time.steady) return;
+  if (!deck.time.steady()) return;
   system.problem->begin_step(deck.time.end);
   std::vector<char> prescribed(static_cast<std::size_t>(system.dofs->owned()), 0);
-  for (const PrescribedRow& row : system.conditions->prescribed(system.problem->state()))
+  for (const PrescribedRow& row :
+       system.conditions->prescribed(system.problem->state(), system.problem->end()))
     prescribed[static_cast<std::size_t>(row.row)] = 1;
   bool free = false;
   for (const auto& pair : system.assembler->kinematic_pairs())
@@ -86,8 +87,8 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
   system->table = gather_fields(system->modules);
   system->dofs = std::make_unique<DofMap>(system->mesh, system->table.fields);
   system->assembler = std::make_unique<Assembler>(*system->dofs, system->modules);
-  system->conditions =
-      std::make_unique<Conditions>(*system->assembler, deck.conditions, diagnostics);
+  system->conditions = std::make_unique<Conditions>(*system->assembler, system->table.rate_rules,
+                                                    deck.conditions, diagnostics);
   if (deck.tow) system->tow = std::make_unique<TowReport>(*system->dofs, *deck.tow, diagnostics);
   for (const ForceDeck& force : deck.forces)
     system->forces.emplace_back(*system->assembler, system->modules, force, diagnostics);
@@ -95,12 +96,12 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
     system->probes.push_back(make_probe(*system->dofs, probe, diagnostics));
   diagnostics.throw_if_any();
 
-  system->integrator =
-      std::make_unique<TimeIntegrator>(*system->assembler, system->table.rate_rules, deck.time);
+  system->integrator = std::make_unique<TimeIntegrator>(
+      *system->assembler, system->table.rate_rules, deck.time.scheme());
   system->problem = std::make_unique<CoupledProblem>(*system->assembler, *system->integrator,
                                                      *system->conditions);
   system->conditions->set_initial(system->problem->state());
-  system->integrator->start(system->problem->state());
+  system->problem->start();
   check_steady(*system, deck);
   system->driver =
       std::make_unique<NonlinearDriver>(*system->problem, deck.solver.linear, deck.solver.newton);

@@ -58,7 +58,7 @@ TEST(StepControl, HalvesARejectedStepAndGrowsAgain) {
   EXPECT_TRUE(steps.rejected(10));
   EXPECT_EQ(steps.next(0, 0), 5);
   for (const double wanted : {5.0, 10.0, 10.0, 20.0, 20.0}) {
-    steps.accepted();
+    steps.accepted(0, {});
     EXPECT_EQ(steps.step(), wanted);
   }
 }
@@ -66,9 +66,9 @@ TEST(StepControl, HalvesARejectedStepAndGrowsAgain) {
 TEST(StepControl, ARejectionStartsTheCountAgain) {
   StepControl steps(options(), {});
   steps.rejected(20);
-  steps.accepted();
+  steps.accepted(0, {});
   steps.rejected(10);
-  steps.accepted();
+  steps.accepted(0, {});
   EXPECT_EQ(steps.step(), 5);
 }
 
@@ -92,8 +92,56 @@ TEST(StepControl, ResumesWithStepAndCountOfACheckpoint) {
   StepControl steps(options(), {});
   steps.resume(5, 1);
   EXPECT_EQ(steps.next(0, 0), 5);
-  steps.accepted();  // the second in a row
+  steps.accepted(0, {});  // the second in a row
   EXPECT_EQ(steps.step(), 10);
+}
+
+StepControl steered(const StepTargets& targets, int order = 2) {
+  StepOptions options;
+  options.step = 1, options.least = 0.01, options.end = 1000;
+  options.targets = targets, options.order = order;
+  return StepControl(options, {});
+}
+
+TEST(SteeredSteps, FollowTheLocalError) {
+  StepTargets targets;
+  targets.error = 1e-3;
+  StepControl steps = steered(targets);
+  steps.accepted(1, {});  // nothing known yet: as it is
+  EXPECT_EQ(steps.step(), 1);
+  steps.accepted(1, {1e-9, 1});  // at most doubled
+  EXPECT_EQ(steps.step(), 2);
+  steps.accepted(2, {1e-3 / 4.096, 1});  // the third root of 4.096 is 1.6
+  EXPECT_NEAR(steps.step(), 2 * 0.9 * 1.6, 1e-12);
+  EXPECT_FALSE(steps.is_too_inaccurate({1e-3, 1}));
+  EXPECT_TRUE(steps.is_too_inaccurate({1.1e-3, 1}));
+  EXPECT_TRUE(steps.rejected(2, {8e-3, 1}));  // the third root of 8 is 2
+  EXPECT_NEAR(steps.step(), 2 * 0.9 / 2, 1e-12);
+  EXPECT_TRUE(steps.rejected(2));  // Newton failed: halved
+  EXPECT_EQ(steps.step(), 1);
+}
+
+TEST(SteeredSteps, OfAFirstOrderSchemeGoWithTheSquareRoot) {
+  StepTargets targets;
+  targets.error = 1e-3;
+  StepControl steps = steered(targets, 1);
+  steps.accepted(1, {1e-3 / 2.25, 1});
+  EXPECT_NEAR(steps.step(), 0.9 * 1.5, 1e-12);
+}
+
+TEST(SteeredSteps, FollowNewtonsEffortAndTheLimits) {
+  StepTargets targets;
+  targets.newton_iterations = 4, targets.longest = 1.5;
+  StepControl steps = steered(targets);
+  steps.accepted(1, {1e-3, 2});
+  EXPECT_EQ(steps.step(), 1.5);
+  steps.accepted(1.5, {1e-3, 4});  // as wanted: as it is
+  EXPECT_EQ(steps.step(), 1.5);
+  steps.accepted(1, {1e-3, 8});
+  EXPECT_EQ(steps.step(), 0.5);
+  for (int n = 0; n < 10; ++n)
+    steps.accepted(steps.step(), {1e-3, 8});
+  EXPECT_EQ(steps.step(), 0.01);
 }
 
 }  // namespace

@@ -76,8 +76,13 @@ struct ConditionsDeck {
   static Spec<ConditionsDeck> spec();
 };
 
-struct TimeDeck : TimeScheme, StepOptions {
+struct TimeDeck : StepOptions {
+  TimeScheme::Method method = TimeScheme::Method::newmark;
+  std::optional<double> beta, gamma, rho_infinity;
+  bool euler_start = true;
   Location location;
+  bool steady() const { return method == TimeScheme::Method::steady; }
+  TimeScheme scheme() const;
   static Spec<TimeDeck> spec();
 };
 

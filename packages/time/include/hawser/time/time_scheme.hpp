@@ -1,0 +1,32 @@
+#pragma once
+// Which method steps through time, and its coefficients.
+
+namespace hawser {
+
+/// At which instants a step's equations are formed, as shares of the step (time_integrator.hpp).
+struct StepCoefficients {
+  double alpha_m = 1;  ///< of the rates
+  double alpha_f = 1;  ///< of the values
+  double gamma = 1;
+  /// Displacement of structures: d_a = d_n + dt (of_velocity v_n + of_displacement_rate d'_n) +
+  /// dt^2 of_acceleration v'_n + dt factor v_a.
+  double of_velocity = 0.5, of_displacement_rate = 0, of_acceleration = 0, factor = 0.5;
+};
+
+struct TimeScheme {
+  enum class Method { newmark, generalised_alpha, steady };
+  Method method = Method::newmark;
+  double beta = 0.3025;       ///< Newmark
+  double gamma = 0.6;         ///< Newmark
+  double rho_infinity = 0.5;  ///< generalised-alpha: what is left per step of the fastest motions
+  bool euler_start = true;    ///< the first step does not ask for initial rates
+
+  bool steady() const { return method == Method::steady; }
+  /// 2, or 1 for Newmark with gamma > 1/2.
+  int order() const;
+  StepCoefficients coefficients() const;
+  /// Implicit Euler, with the trapezoidal rule for structures.
+  static StepCoefficients first_step() { return {}; }
+};
+
+}  // namespace hawser
