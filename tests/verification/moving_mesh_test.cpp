@@ -72,7 +72,7 @@ TEST_P(MovingMesh, PreservesUniformFlow) {
   DeckRun run(box_deck("0.8 -0.6", each_its_own_way, GetParam().attributes));
   for (int n = 0; n < 20; ++n)
     run.step();
-  record_error(std::string("uniform_flow_gamma_") + GetParam(),
+  record_error(std::string("uniform_flow_") + GetParam().name,
                std::string("uniform flow after 20 steps of a moving mesh, ") + GetParam().title,
                "m/s", run.deviation("velocity", "water", [](auto&&...) {
                  return Numbers{0.8, -0.6};
