@@ -27,13 +27,10 @@ class DeckRun {
     register_mesh_motion(registry);
     std::vector<PhysicsModule> modules;
     for (const DeckNode& node : deck_.modules.modules)
-      modules.push_back(registry.find(node.tag)->make(node, diagnostics));
+      modules.push_back(registry.find(node.tag)->make(node, deck_.mesh.context(), diagnostics));
     diagnostics.throw_if_any();
     const Communicator all;
-    if (deck_.mesh.tow_box)
-      generate_mesh(all, deck_.mesh.tow_box->box(), "deck_run.msh");
-    else
-      generate_mesh(all, deck_.mesh.water_box->box(), "deck_run.msh");
+    deck_.mesh.generate(all, "deck_run.msh");
     system_ = build_system(all, deck_, std::move(modules), "deck_run.msh");
   }
 
@@ -71,7 +68,7 @@ class DeckRun {
               ? info.point
               : dofs().mesh().vertex_of_split[static_cast<std::size_t>(info.point)];
       const LocalIndex moved = dofs().first_row(displacement, PointKind::vertex, vertex);
-      double X[2];
+      double X[3];
       dofs().position(row, X);
       visit(row, X, &end().value[static_cast<std::size_t>(moved)]);
     }

@@ -17,8 +17,10 @@
 namespace hawser {
 namespace {
 
+using Snippets = std::multimap<std::string, std::string>;
+
 /// A module's smallest deck, with every optional term switched on.
-const std::multimap<std::string, std::string> snippets = {
+const Snippets snippets = {
     {"ale-fluid",
      R"(<ale-fluid region="water" density="1000" viscosity="300" body-force="0.3 -9.81">
           <outflow on="outflow" kind="pressure" pressure="40" backflow="0.5"/>
@@ -29,10 +31,17 @@ const std::multimap<std::string, std::string> snippets = {
                    body-force="20*sin(x + 0.5*y + t) - X; 10*x*y"/>)"},
     {"cable",
      R"(<cable region="cable" axial-stiffness="1e7" bending-stiffness="1e5" damping="20"
-               compressive-ratio="0.01"/>)"},
+               axial-damping="1e4" compressive-ratio="0.01" gravity="1 -9.81" clamped="tail"/>)"},
     {"mesh-motion", R"(<mesh-motion region="water" reference="incremental"/>)"},
     {"mesh-motion", R"(<mesh-motion region="water" body-force="sin(x)*Y; 2*x*y"/>)"},
     {"heat", R"(<heat region="water" capacity="4e6" conductivity="5"/>)"}};
+
+/// The same in space, for the modules that work there.
+const Snippets snippets_in_space = {
+    {"cable",
+     R"(<cable region="cable" axial-stiffness="1e7" bending-stiffness="1e5" damping="20"
+               axial-damping="1e4" compressive-ratio="0.01" gravity="1 2 -9.81" submerged-weight="30"
+               clamped="tow-point tail"/>)"}};
 
 ModuleRegistry all_modules_there_are() {
   ModuleRegistry registry;
@@ -50,6 +59,11 @@ Mesh small_tow() {
   box.cable_size = 0.3, box.far_size = 0.5;
   generate_mesh(Communicator(), box, "small_tow.msh");
   return read_mesh(Communicator(), {"small_tow.msh", {"cable"}});
+}
+
+Mesh line_in_space() {
+  generate_mesh(Communicator(), LineMesh{{0, 0.1, 0.2}, {0.5, 1.1, -1.2}, 5}, "line_in_space.msh");
+  return read_mesh(Communicator(), {"line_in_space.msh", {}, 3});
 }
 
 /// One cell in an admissible state. Rates follow values: rate = slope value + partner v + rest.
@@ -181,11 +195,35 @@ void check_kernel(Kernel& kernel, const Mesh& mesh, unsigned seed, double& worst
     }
 }
 
-void check_module(PhysicsModule& module, const Mesh& mesh, double& worst) {
-  ASSERT_FALSE(module.kernels.empty());
-  for (const auto& kernel : module.kernels)
-    for (unsigned seed = 1; seed <= 10; ++seed)
-      check_kernel(*kernel, mesh, seed, worst);
+/// All of a module's snippets, as they are for a mesh of that dimension.
+std::vector<PhysicsModule> make_modules(const ModuleRegistry& registry, const std::string& tag,
+                                        const Snippets& snippets, int dimension) {
+  std::vector<PhysicsModule> modules;
+  const auto range = snippets.equal_range(tag);
+  for (auto snippet = range.first; snippet != range.second; ++snippet) {
+    Diagnostics diagnostics;
+    const Deck deck = parse_deck(snippet->second, tag, diagnostics);
+    modules.push_back(registry.find(tag)->make(deck.root, {dimension, "N"}, diagnostics));
+    EXPECT_TRUE(diagnostics.ok()) << diagnostics.error_text();
+    EXPECT_FALSE(modules.back().kernels.empty());
+  }
+  return modules;
+}
+
+void check_modules(const std::vector<PhysicsModule>& modules, const Mesh& mesh) {
+  double worst = 0;
+  for (const PhysicsModule& module : modules)
+    for (const auto& kernel : module.kernels) {
+      ASSERT_EQ(kernel->dimension(), mesh.dimension);
+      for (unsigned seed = 1; seed <= 10; ++seed)
+        check_kernel(*kernel, mesh, seed, worst);
+    }
+  const std::string& tag = modules.front().name;
+  const std::string where = mesh.dimension == 3 ? " in space" : "";
+  record(
+      {"jacobian." + tag + (mesh.dimension == 3 ? ".space" : ""), "Invariants",
+       "tangent of <" + tag + ">" + where + " against central differences, worst block, relative",
+       "1", worst, 0, 1e-6, "truncation and round-off of the differences"});
 }
 
 TEST(Jacobian, IsTheDerivativeOfTheResidualInEveryRegisteredModule) {
@@ -193,19 +231,27 @@ TEST(Jacobian, IsTheDerivativeOfTheResidualInEveryRegisteredModule) {
   const ModuleRegistry registry = all_modules_there_are();
   for (const std::string& tag : registry.tags()) {
     SCOPED_TRACE("module <" + tag + ">");
-    EXPECT_GT(snippets.count(tag), 0) << "give it a snippet in this test";
-    double worst = 0;
-    const auto range = snippets.equal_range(tag);
-    for (auto snippet = range.first; snippet != range.second; ++snippet) {
-      Diagnostics diagnostics;
-      const Deck deck = parse_deck(snippet->second, tag, diagnostics);
-      PhysicsModule module = registry.find(tag)->make(deck.root, diagnostics);
-      ASSERT_TRUE(diagnostics.ok()) << diagnostics.error_text();
-      check_module(module, mesh, worst);
+    const auto modules = make_modules(registry, tag, snippets, 2);
+    if (modules.empty())
+      ADD_FAILURE() << "give it a snippet in this test";
+    else
+      check_modules(modules, mesh);
+  }
+}
+
+TEST(Jacobian, IsTheDerivativeOfTheResidualInEveryModuleThatWorksInSpace) {
+  const Mesh mesh = line_in_space();
+  const ModuleRegistry registry = all_modules_there_are();
+  for (const std::string& tag : registry.tags()) {
+    SCOPED_TRACE("module <" + tag + ">");
+    const auto in_space = make_modules(registry, tag, snippets_in_space, 3);
+    if (!in_space.empty()) {
+      check_modules(in_space, mesh);
+      continue;
     }
-    record({"jacobian." + tag, "Invariants",
-            "tangent of <" + tag + "> against central differences, worst block, relative", "1",
-            worst, 0, 1e-6, "truncation and round-off of the differences"});
+    for (const PhysicsModule& module : make_modules(registry, tag, snippets, 3))
+      for (const auto& kernel : module.kernels)
+        EXPECT_EQ(kernel->dimension(), 2) << "give it a snippet in space in this test";
   }
 }
 

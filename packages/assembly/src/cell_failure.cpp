@@ -21,7 +21,9 @@ void CellFailure::throw_together(const Mesh& mesh, const State& state) const {
       }
     std::ostringstream text;
     text << "cell " << region.cell_ids[static_cast<std::size_t>(cell)] << " of region '"
-         << region.name << "', which started near (" << centre[0] << ", " << centre[1] << ") m, "
+         << region.name << "', which started near (" << centre[0] << ", " << centre[1];
+    if (mesh.dimension == 3) text << ", " << centre[2];
+    text << ") m, "
          << (status == CellStatus::inverted ? "turned inside out (det F <= 0)"
                                             : "gives a residual that is not a number")
          << " at t = " << state.time << " s";

@@ -18,6 +18,7 @@ class LoadKernel : public Kernel {
     for (const FieldUse& use : fields())
       unknowns_ += nodes * use.components;
   }
+  int dimension() const override { return 2; }
   int vertices_per_cell() const override { return nodes_; }
   void bind(const std::vector<Tabulation>& /*shapes*/) override {}
   CellStatus residual(const CellInput& /*cell*/, double* residual) const override {

@@ -1,11 +1,18 @@
 #include "hawser/mesh/mesh.hpp"
 
+#include <algorithm>
+
 #include "distribute.hpp"
 #include "graph.hpp"
 #include "hawser/base/error.hpp"
 #include "whole_mesh.hpp"
 
 namespace hawser {
+
+bool Mesh::has_body() const {
+  return std::any_of(regions.begin(), regions.end(),
+                     [](const Region& region) { return region.shape == CellShape::triangle; });
+}
 
 const Region* Mesh::find(const std::string& name) const {
   for (const auto& region : regions) {
@@ -27,7 +34,7 @@ Mesh read_mesh(const Communicator& communicator, const MeshOptions& options) {
   whole.communicator = communicator;
   std::vector<int> owner_of_vertex;
   communicator.on_root([&] {
-    whole = check_and_number(read_msh(options.file));
+    whole = check_and_number(read_msh(options.file), options.dimension);
     whole.communicator = communicator;
     add_topology(whole, options.slits);
     const auto graph = make_graph(whole.vertices.size(), whole.edge_ends);

@@ -251,6 +251,21 @@ Region patches_of(const Region& line, const Body& body) {
   return patches;
 }
 
+// The line's cells at a point region, each turned to begin there. Empty where they do not touch.
+Region cells_at(const Region& point, const Region& line) {
+  auto result = make_region(line.name + "/" + point.name, CellShape::line);
+  for (LocalIndex c = 0; c < line.size(); ++c)
+    for (const std::size_t end : {0U, 1U}) {
+      const auto here = line.vertices[at(2 * c) + end], there = line.vertices[at(2 * c) + 1 - end];
+      if (std::find(point.vertices.begin(), point.vertices.end(), here) == point.vertices.end())
+        continue;
+      result.cell_ids.push_back(result.size());
+      result.vertices.insert(result.vertices.end(), {here, there});
+      result.edges.push_back(line.edges[at(c)]);
+    }
+  return result;
+}
+
 }  // namespace
 
 void add_topology(Mesh& mesh, const std::vector<std::string>& slits) {
@@ -265,6 +280,11 @@ void add_topology(Mesh& mesh, const std::vector<std::string>& slits) {
     const auto& edges = region.edges;
     if (!std::all_of(edges.begin(), edges.end(), on_boundary)) {
       derived.push_back(patches_of(region, body));
+      for (const auto& point : mesh.regions) {
+        if (point.shape != CellShape::point) continue;
+        auto cells = cells_at(point, region);
+        if (cells.size() > 0) derived.push_back(std::move(cells));
+      }
     }
     if (std::any_of(edges.begin(), edges.end(), on_boundary)) {
       derived.push_back(facets_of(region, body, sides));

@@ -15,12 +15,13 @@ CellShape shape_of_dimension(int dimension) {
 
 class Numbering {
  public:
-  explicit Numbering(const MshFile& file) : file_(file) {}
+  Numbering(const MshFile& file, int dimension) : file_(file), dimension_(dimension) {}
 
   Mesh mesh() {
     sort_nodes();
     find_used_nodes();
     Mesh mesh;
+    mesh.dimension = dimension_;
     add_vertices(mesh);
     add_regions(mesh);
     return mesh;
@@ -77,12 +78,14 @@ class Numbering {
   void add_vertices(Mesh& mesh) const {
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
       if (vertex_of_node_[n] < 0) continue;
-      const auto& [x, y, z] = nodes_[n].position;
-      if (z != 0) {
+      const auto& position = nodes_[n].position;
+      if (dimension_ == 2 && position[2] != 0) {
         fail(nodes_[n].line, "node " + std::to_string(nodes_[n].tag) +
-                                 " lies off the plane z = 0; only plane meshes are read");
+                                 " lies off the plane z = 0; a mesh of lines in space is read with "
+                                 "dimension=\"3\"");
       }
-      mesh.coordinates.insert(mesh.coordinates.end(), {x, y});
+      mesh.coordinates.insert(mesh.coordinates.end(), position.begin(),
+                              position.begin() + dimension_);
       mesh.vertices.ids.push_back(mesh.vertices.size());
     }
     mesh.vertices.global_count = mesh.vertices.size();
@@ -90,9 +93,12 @@ class Numbering {
 
   void add_regions(Mesh& mesh) {
     for (const auto& group : file_.groups) {
-      if (group.dimension < 0 || group.dimension > 2) {
+      const int greatest = dimension_ == 2 ? 2 : 1;
+      if (group.dimension < 0 || group.dimension > greatest) {
         throw MeshError(file_.path + ": the physical group '" + group.name + "' has dimension " +
-                        std::to_string(group.dimension) + "; only 0, 1 and 2 are read");
+                        std::to_string(group.dimension) + "; " +
+                        (dimension_ == 2 ? "only 0, 1 and 2 are read"
+                                         : "in space only points and lines are read"));
       }
       mesh.regions.push_back(make_region(group.name, shape_of_dimension(group.dimension)));
     }
@@ -153,6 +159,7 @@ class Numbering {
   }
 
   const MshFile& file_;
+  int dimension_;
   std::vector<MshNode> nodes_;                            // by number
   std::vector<LocalIndex> vertex_of_node_;                // -1: dropped
   std::vector<std::vector<const MshElement*>> elements_;  // per region, for messages
@@ -189,6 +196,8 @@ Region make_region(const std::string& name, CellShape shape) {
   return region;
 }
 
-Mesh check_and_number(const MshFile& file) { return Numbering(file).mesh(); }
+Mesh check_and_number(const MshFile& file, int dimension) {
+  return Numbering(file, dimension).mesh();
+}
 
 }  // namespace hawser

@@ -14,7 +14,7 @@ Region make_region(const std::string& name, CellShape shape);
 
 /// Vertices, coordinates and the regions of the file, checked; triangles counter-clockwise. No
 /// topology. MeshError.
-Mesh check_and_number(const MshFile& file);
+Mesh check_and_number(const MshFile& file, int dimension);
 
 /// Adds edges, split vertices, patches and facets. MeshError.
 void add_topology(Mesh& mesh, const std::vector<std::string>& slits);

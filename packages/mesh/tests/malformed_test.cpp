@@ -64,7 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
               ":11: expected a coordinate, found the end of the line"},
         Fault{"TwiceDefined", "4 2 0 0", "3 2 0 0", ":14: node 3 is defined twice"},
         Fault{"OffThePlane", "2 1 0 0", "2 1 0 3",
-              ":12: node 2 lies off the plane z = 0; only plane meshes are read"},
+              ":12: node 2 lies off the plane z = 0; a mesh of lines in space is read with "
+              "dimension=\"3\""},
         Fault{"NoSuchNode", "2 2 1 2 3", "2 2 1 2 5",
               ":19: element 2 refers to node 5, which the file does not define"},
         Fault{"FewNodes", "2 2 1 2 3", "2 2 1 2",

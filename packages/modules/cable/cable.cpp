@@ -1,6 +1,9 @@
 #include "cable.hpp"
 
-#include "cable_kernels.hpp"
+#include <cmath>
+
+#include "axial_kernel.hpp"
+#include "bending_kernel.hpp"
 #include "hawser/physics/module_registry.hpp"
 
 namespace hawser {
@@ -8,37 +11,93 @@ namespace {
 
 struct Cable : CableProperties {
   std::string region;
+  Located<std::vector<double>> gravity;
+  std::optional<double> submerged_weight;
+  std::vector<std::string> clamped;
 
   static Spec<Cable> spec() {
     using P = Cable;
     return Spec<P>("cable",
                    "Total Lagrangian cable with axial and bending stiffness that carries no "
-                   "compression; "
-                   "all quantities per metre of depth in two dimensions.")
+                   "compression, in the plane or in space; in a flow in the plane all quantities "
+                   "are per metre of depth.")
         .attribute("region", &P::region, required(), "Line region of the cable.")
         .attribute("mass-per-length", &P::mass, "kg/m", positive(), "Inertia per length.")
         .attribute("axial-stiffness", &P::axial_stiffness, "N", positive(), "EA.")
         .attribute("bending-stiffness", &P::bending_stiffness, "N m^2", non_negative(),
                    "EI; with 0 the tail of a towed cable flaps under any refinement.")
+        .attribute("clamped", &P::clamped,
+                   "Point regions where the direction of the cable stays the initial one; "
+                   "elsewhere it is hinged.")
+        .attribute("gravity", &P::gravity, "m/s^2",
+                   "Acceleration per direction; the weight is this times mass-per-length, unless "
+                   "submerged-weight is given. None without.")
+        .attribute("submerged-weight", &P::submerged_weight, "N/m",
+                   "Weight per length in the surrounding fluid, along gravity: mass less displaced "
+                   "mass, times g; negative for a cable that floats up.")
         .attribute("damping", &P::damping, "N s/m^2", non_negative(),
                    "External damping force per length and velocity.")
+        .attribute("axial-damping", &P::axial_damping, "N s", non_negative(),
+                   "Internal damping: tension per rate of strain.")
         .attribute("slack-width", &P::slack_width, "1", positive(),
                    "Strain over which the tension is switched off smoothly in compression.")
         .attribute("compressive-ratio", &P::compressive_ratio, "1", between(0, 1),
-                   "Stiffness kept in compression, relative to EA.");
+                   "Stiffness kept in compression, relative to EA.")
+        .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
+          if (p.submerged_weight && p.gravity.value.empty())
+            diagnostics.error(where, "submerged-weight needs gravity, which says where down is");
+          if (!p.clamped.empty() && p.bending_stiffness == 0)
+            diagnostics.error(where,
+                              "a cable without bending-stiffness cannot be clamped: it has a hinge "
+                              "everywhere");
+        });
   }
 };
 
-PhysicsModule make_cable(const Cable& deck) {
+/// N per length.
+template <int D>
+Vector<double, D> weight(const Cable& deck) {
+  Vector<double, D> result;
+  if (deck.gravity.value.empty()) return result;
+  double squared = 0;
+  for (const double g : deck.gravity.value)
+    squared += g * g;
+  const double factor = deck.submerged_weight && squared > 0
+                            ? *deck.submerged_weight / std::sqrt(squared)
+                            : deck.mass;
+  for (int i = 0; i < D; ++i)
+    result[i] = factor * deck.gravity.value[static_cast<std::size_t>(i)];
+  return result;
+}
+
+template <int D>
+PhysicsModule make_cable(const Cable& deck, const ModuleContext& context) {
   PhysicsModule module{"cable", "structure", {}, {}};
-  module.kernels.push_back(std::make_unique<CableKernel>(deck.region, deck));
-  if (deck.bending_stiffness > 0)
-    module.kernels.push_back(std::make_unique<BendingKernel>(deck.region + "/patches", deck));
+  module.kernels.push_back(
+      std::make_unique<CableKernel<D>>(deck.region, deck, weight<D>(deck), context.force_unit));
+  if (deck.bending_stiffness == 0) return module;
+  module.kernels.push_back(
+      std::make_unique<BendingKernel<D>>(deck.region + "/patches", deck.bending_stiffness));
+  for (const std::string& point : deck.clamped)
+    module.kernels.push_back(
+        std::make_unique<ClampKernel<D>>(deck.region + "/" + point, deck.bending_stiffness));
   return module;
+}
+
+PhysicsModule make_cable_in(const Cable& deck, const ModuleContext& context,
+                            Diagnostics& diagnostics) {
+  const std::size_t given = deck.gravity.value.size();
+  if (given != 0 && given != static_cast<std::size_t>(context.dimension)) {
+    diagnostics.error(deck.gravity.location, "gravity has " + std::to_string(given) +
+                                                 " components, the mesh " +
+                                                 std::to_string(context.dimension));
+    return {};
+  }
+  return context.dimension == 3 ? make_cable<3>(deck, context) : make_cable<2>(deck, context);
 }
 
 }  // namespace
 
-void register_cable(ModuleRegistry& registry) { registry.add<Cable>(make_cable); }
+void register_cable(ModuleRegistry& registry) { registry.add<Cable>(make_cable_in); }
 
 }  // namespace hawser

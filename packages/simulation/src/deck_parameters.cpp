@@ -138,7 +138,9 @@ WaterBox WaterBoxDeck::box() const {
 Spec<MeshFileDeck> MeshFileDeck::spec() {
   return Spec<MeshFileDeck>("file", "A mesh file made by gmsh.")
       .attribute("name", &MeshFileDeck::name, required(),
-                 "MSH 2.2 or 4.1, ASCII; a relative path starts at the deck's folder.");
+                 "MSH 2.2 or 4.1, ASCII; a relative path starts at the deck's folder.")
+      .attribute("dimension", &MeshFileDeck::dimension, between(2, 3),
+                 "Of the space; in three the file may hold lines and points only.");
 }
 
 Spec<MeshDeck> MeshDeck::spec() {
@@ -147,12 +149,15 @@ Spec<MeshDeck> MeshDeck::spec() {
       .attribute("slits", &P::slits, "Line regions across which the pressure is doubled.")
       .child(&P::tow_box)
       .child(&P::water_box)
+      .child(&P::line)
       .child(&P::file)
       .location(&P::location)
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
-        if (int(p.tow_box.has_value()) + int(p.water_box.has_value()) + int(p.file.has_value()) !=
+        if (int(p.tow_box.has_value()) + int(p.water_box.has_value()) + int(p.line.has_value()) +
+                int(p.file.has_value()) !=
             1)
-          diagnostics.error(where, "<mesh> needs exactly one of <tow-box>, <water-box> and <file>");
+          diagnostics.error(
+              where, "<mesh> needs exactly one of <tow-box>, <water-box>, <line> and <file>");
       });
 }
 
@@ -280,8 +285,10 @@ Spec<ForceDeck> ForceDeck::spec() {
       .attribute("on", &P::on, required(), "Region whose velocity rows are summed.")
       .attribute("module", &P::module,
                  "Module whose load on the region is reported; all for the reaction.")
-      .attribute("axis", &P::axis, "1", length(2),
-                 "Direction of the component called along; across is 90 degrees left.");
+      .attribute(
+          "axis", &P::axis, "1", length(2, 3),
+          "Direction of the component called along, +x without; across is 90 degrees left, in "
+          "space the magnitude of the rest.");
 }
 
 Spec<ProbeDeck> ProbeDeck::spec() {

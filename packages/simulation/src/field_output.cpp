@@ -58,14 +58,15 @@ FieldOutput::FieldOutput(const Assembler& assembler, const TowReport* tow,
                          const std::string& folder, int keep_until)
     : assembler_(assembler), dofs_(assembler.dofs()), tow_(tow) {
   const Mesh& mesh = dofs_.mesh();
-  flow_ = std::make_unique<FieldWriter>(mesh.communicator, folder, flow_grid(mesh), keep_until);
+  if (mesh.has_body())
+    flow_ = std::make_unique<FieldWriter>(mesh.communicator, folder, flow_grid(mesh), keep_until);
   if (tow_ != nullptr)
     cable_ = std::make_unique<FieldWriter>(mesh.communicator, folder,
                                            cable_grid(mesh, tow_->line()), keep_until);
 }
 
 void FieldOutput::write(int step, const State& state) {
-  write_flow(step, state);
+  if (flow_) write_flow(step, state);
   if (cable_) write_cable(step, state);
 }
 
@@ -111,11 +112,12 @@ void FieldOutput::write_cable(int step, const State& state) {
   const std::vector<double> errors = tow_->positioning_errors(x);
   std::vector<double> coordinates;
   PointField arc{"arc_length", "m", 1, {}}, error{"positioning_error", "m", 1, {}};
-  PointField velocity{field_name::velocity, "m/s", 2, {}};
+  const auto dimension = static_cast<std::size_t>(dofs_.mesh().dimension);
+  PointField velocity{field_name::velocity, "m/s", dofs_.mesh().dimension, {}};
   for (const auto& node : line.owned()) {
-    for (std::size_t j = 0; j < 2; ++j) {
-      coordinates.push_back(x[2 * node.place + j]);
-      velocity.values.push_back(v[2 * node.place + j]);
+    for (std::size_t j = 0; j < dimension; ++j) {
+      coordinates.push_back(x[dimension * node.place + j]);
+      velocity.values.push_back(v[dimension * node.place + j]);
     }
     arc.values.push_back(line.arc_length()[node.place]);
     error.values.push_back(errors[node.place]);

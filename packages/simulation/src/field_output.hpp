@@ -25,7 +25,7 @@ class FieldOutput {
   const Assembler& assembler_;
   const DofMap& dofs_;
   const TowReport* tow_;
-  std::unique_ptr<FieldWriter> flow_, cable_;
+  std::unique_ptr<FieldWriter> flow_, cable_;  // null where there is no body, no tow report
 };
 
 }  // namespace hawser

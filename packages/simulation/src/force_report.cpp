@@ -7,10 +7,43 @@
 
 namespace hawser {
 
+const char* force_unit(const Mesh& mesh) {
+  return mesh.dimension == 2 && mesh.has_body() ? "N/m" : "N";
+}
+
+Force split_force(const std::vector<double>& force, const std::vector<double>& axis) {
+  double squared = 0, length = 0, along = 0;
+  for (std::size_t j = 0; j < axis.size(); ++j) {
+    squared += force[j] * force[j];
+    length += axis[j] * axis[j];
+    along += force[j] * axis[j];
+  }
+  length = std::sqrt(length);
+  Force result{along / length, 0, std::sqrt(squared)};
+  if (axis.size() == 2) {
+    result.across = (-force[0] * axis[1] + force[1] * axis[0]) / length;
+    return result;
+  }
+  double across = 0;
+  for (std::size_t j = 0; j < axis.size(); ++j)
+    across += std::pow(force[j] - result.along * axis[j] / length, 2);
+  result.across = std::sqrt(across);
+  return result;
+}
+
 ForceReport::ForceReport(const Assembler& assembler, const std::vector<PhysicsModule>& modules,
                          const ForceDeck& deck, Diagnostics& diagnostics)
     : assembler_(assembler), deck_(deck) {
   const DofMap& dofs = assembler.dofs();
+  const auto dimension = static_cast<std::size_t>(dofs.mesh().dimension);
+  if (deck_.axis.value.empty()) {
+    deck_.axis.value.assign(dimension, 0);
+    deck_.axis.value[0] = 1;
+  } else if (deck_.axis.value.size() != dimension) {
+    diagnostics.error(deck.axis.location, "the axis of force '" + deck.name + "' has " +
+                                              std::to_string(deck.axis.value.size()) +
+                                              " components, the mesh " + std::to_string(dimension));
+  }
   const Region* const region = find_region(dofs.mesh(), deck.on, diagnostics);
   const int velocity = find_field(dofs, {field_name::velocity, deck.on.location}, diagnostics);
   if (region != nullptr && velocity >= 0)
@@ -33,18 +66,13 @@ Force ForceReport::measure(const State& state, const std::vector<double>& reacti
   if (module_ != Assembler::all_modules) assembler_.residual(state, residual, magnitude, module_);
   const std::vector<double>& rows = module_ == Assembler::all_modules ? reactions : residual;
   const double sign = module_ == Assembler::all_modules ? 1 : -1;
-  double force[2] = {0, 0};
+  std::vector<double> force(deck_.axis.value.size(), 0);
   for (const LocalIndex row : rows_)
-    for (int j = 0; j < 2; ++j)
-      force[j] += sign * rows[static_cast<std::size_t>(row + j)];
-  MPI_Allreduce(MPI_IN_PLACE, force, 2, MPI_DOUBLE, MPI_SUM,
+    for (std::size_t j = 0; j < force.size(); ++j)
+      force[j] += sign * rows[static_cast<std::size_t>(row) + j];
+  MPI_Allreduce(MPI_IN_PLACE, force.data(), static_cast<int>(force.size()), MPI_DOUBLE, MPI_SUM,
                 assembler_.dofs().mesh().communicator.mpi());
-  const double length = std::hypot(deck_.axis[0], deck_.axis[1]);
-  Force result;
-  result.along = (force[0] * deck_.axis[0] + force[1] * deck_.axis[1]) / length;
-  result.across = (-force[0] * deck_.axis[1] + force[1] * deck_.axis[0]) / length;
-  result.magnitude = std::hypot(force[0], force[1]);
-  return result;
+  return split_force(force, deck_.axis.value);
 }
 
 }  // namespace hawser

@@ -8,10 +8,17 @@
 
 namespace hawser {
 
-/// N per metre of depth in two dimensions.
+/// In N; per metre of depth in a flow in the plane. `across` is 90 degrees to the left of the axis
+/// in the plane; in space, where nothing is left, the magnitude of what is normal to the axis.
 struct Force {
   double along = 0, across = 0, magnitude = 0;
 };
+
+/// "N/m" in a flow in the plane, else "N".
+const char* force_unit(const Mesh& mesh);
+
+/// The force as seen from an axis (of any length); both have the mesh's dimension.
+Force split_force(const std::vector<double>& force, const std::vector<double>& axis);
 
 class ForceReport {
  public:

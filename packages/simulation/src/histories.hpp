@@ -38,7 +38,7 @@ struct StepFigures {
 
 class Histories {
  public:
-  Histories(const Communicator& communicator, const std::string& folder, const TowReport* tow,
+  Histories(const Mesh& mesh, const std::string& folder, const TowReport* tow,
             const std::vector<ForceReport>& forces, const std::vector<Probe>& probes,
             std::optional<double> keep_until);
   void append(const StepFigures& figures);
@@ -46,6 +46,7 @@ class Histories {
 
  private:
   const TowReport* tow_;
+  std::size_t dimension_;
   std::unique_ptr<History> system_, cable_;
 };
 

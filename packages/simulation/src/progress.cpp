@@ -69,14 +69,20 @@ void Progress::finish(const System& system, const RunDeck& deck, const Summary& 
                      number("end_error_exact_m")));
     line(fmt::format("{:<28}{:>12.2f} m{:>20.2f} m", "total error (along cable)",
                      number("total_error_arc_m"), number("total_error_exact_m")));
-    line(fmt::format("{:<28}{:>10.0f} N/m{:>22}", "tow force, per m of depth",
-                     number("tow_force_n_per_m"), "-"));
+    const std::string unit = force_unit(system.mesh);
+    line(fmt::format(
+        "{:<28}{:>{}.0f} {}{:>22}", unit == "N" ? "tow force" : "tow force, per m of depth",
+        number(quantity_name({"tow_force", unit}).c_str()), 13 - unit.size(), unit, "-"));
   }
   if (prints_ && !system.tow)
-    for (const ForceReport& force : system.forces)
-      line(fmt::format("{}: along {:.6g} N/m, across {:.6g} N/m", force.name(),
-                       number((force.name() + "_force_along_n_per_m").c_str()),
-                       number((force.name() + "_force_across_n_per_m").c_str())));
+    for (const ForceReport& force : system.forces) {
+      const std::string unit = force_unit(system.mesh);
+      const auto part = [&](const char* name) {
+        return number(quantity_name({force.name() + name, unit}).c_str());
+      };
+      line(fmt::format("{}: along {:.6g} {}, across {:.6g} {}", force.name(), part("_force_along"),
+                       unit, part("_force_across"), unit));
+    }
   for (const ExpectDeck& expect : deck.expectations) {
     const auto got = summary.number(expect.quantity.value);
     const bool holds = got && std::abs(*got - expect.value) <= expect.within;

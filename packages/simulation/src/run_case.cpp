@@ -24,7 +24,7 @@ std::vector<PhysicsModule> make_modules(const DeckNode& root, const RunDeck& dec
   std::vector<PhysicsModule> modules;
   for (const DeckNode& node : deck.modules.modules) {
     if (!is_known_child(node, "modules", registry.tags(), diagnostics)) continue;
-    modules.push_back(registry.find(node.tag)->make(node, diagnostics));
+    modules.push_back(registry.find(node.tag)->make(node, deck.mesh.context(), diagnostics));
     modules.back().location = node.location;
   }
   if (modules.empty() && diagnostics.ok())
@@ -60,9 +60,7 @@ ProvidedMesh provide_mesh(const Communicator& communicator, const RunCase& run,
                           const std::string& place) {
   const MeshDeck& mesh = run.deck.mesh;
   if (mesh.file) return {path_beside(run.text, mesh.file->name), {}};
-  const std::string made = mesh.tow_box ? generate_mesh(communicator, mesh.tow_box->box(), place)
-                                        : generate_mesh(communicator, mesh.water_box->box(), place);
-  return {place, made};
+  return {place, mesh.generate(communicator, place)};
 }
 
 }  // namespace hawser

@@ -34,8 +34,7 @@ RunRecord::RunRecord(System& system, const RunCase& run, const ResultFolder& fol
       mesh_file_(std::filesystem::absolute(mesh_file)),
       step_(earlier ? earlier->header().step : 0),
       fields_(*system.assembler, system.tow.get(), folder.path(), earlier ? step_ : -1),
-      histories_(system.mesh.communicator, folder.path(), system.tow.get(), system.forces,
-                 system.probes,
+      histories_(system.mesh, folder.path(), system.tow.get(), system.forces, system.probes,
                  earlier ? std::optional<double>(earlier->header().time) : std::nullopt) {
   if (earlier) figures_.resume(earlier->header());
 }

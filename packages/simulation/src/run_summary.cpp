@@ -5,6 +5,16 @@
 #include <sstream>
 
 namespace hawser {
+namespace {
+
+void set_force(Summary& summary, const std::string& name, const Force& force, const Mesh& mesh) {
+  const std::string unit = force_unit(mesh);
+  summary.set(quantity_name({name + "_force", unit}), force.magnitude);
+  summary.set(quantity_name({name + "_force_along", unit}), force.along);
+  summary.set(quantity_name({name + "_force_across", unit}), force.across);
+}
+
+}  // namespace
 
 void RunSummary::add(const StepFigures& figures) {
   ++steps_;
@@ -61,18 +71,12 @@ Summary RunSummary::summary(const System& system, const RunDeck& deck) const {
     result.set("total_error_exact_m", exact / 2);
     result.set("total_error_arc_m", tow.total_error_arc);
     result.set("end_error_change_last_quarter_m", greatest - least);
-    result.set("tow_force_n_per_m", tow.force);
-    result.set("tow_force_along_n_per_m", tow.force_along);
-    result.set("tow_force_across_n_per_m", tow.force_across);
+    set_force(result, "tow", tow.force, system.mesh);
     result.set("cable_angle_deg", tow.cable_angle);
     result.set("cable_length_m", tow.length);
   }
-  for (std::size_t i = 0; i < system.forces.size(); ++i) {
-    const std::string& name = system.forces[i].name();
-    result.set(name + "_force_n_per_m", last_.forces[i].magnitude);
-    result.set(name + "_force_along_n_per_m", last_.forces[i].along);
-    result.set(name + "_force_across_n_per_m", last_.forces[i].across);
-  }
+  for (std::size_t i = 0; i < system.forces.size(); ++i)
+    set_force(result, system.forces[i].name(), last_.forces[i], system.mesh);
   std::size_t value = 0;
   for (const Probe& probe : system.probes)
     for (int c = 0; c < probe.components; ++c)

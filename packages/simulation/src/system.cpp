@@ -14,6 +14,13 @@ void check_regions(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
                    Diagnostics& diagnostics) {
   for (const PhysicsModule& module : modules)
     for (const auto& kernel : module.kernels) {
+      if (kernel->dimension() != mesh.dimension) {
+        diagnostics.error(module.location, "module '" + module.name + "' is written for " +
+                                               std::to_string(kernel->dimension()) +
+                                               " dimensions, the mesh has " +
+                                               std::to_string(mesh.dimension));
+        break;
+      }
       const std::string base = base_name(kernel->region());
       if (base == kernel->region()) {
         find_region_of(kernel->vertices_per_cell(), mesh, {base, module.location},
@@ -21,12 +28,17 @@ void check_regions(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
         continue;
       }
       if (mesh.find(kernel->region()) != nullptr) continue;
-      if (find_region(mesh, base, module.location, diagnostics) != nullptr)
-        diagnostics.error(
-            module.location,
-            kernel->region().find("/facets") != std::string::npos
-                ? "region '" + base + "' is no line on the boundary of the body"
-                : "region '" + base + "' is no line inside the body or of at least two segments");
+      if (find_region(mesh, base, module.location, diagnostics) == nullptr) continue;
+      const std::string part = kernel->region().substr(base.size() + 1);
+      if (part == "facets")
+        diagnostics.error(module.location,
+                          "region '" + base + "' is no line on the boundary of the body");
+      else if (part == "patches")
+        diagnostics.error(module.location, "region '" + base +
+                                               "' is no line inside the body or of at least two "
+                                               "segments");
+      else if (find_region(mesh, part, module.location, diagnostics) != nullptr)
+        diagnostics.error(module.location, "'" + part + "' is no point of region '" + base + "'");
     }
 }
 
@@ -67,19 +79,19 @@ void check_steady(const System& system, const RunDeck& deck) {
 std::unique_ptr<System> build_system(const Communicator& communicator, const RunDeck& deck,
                                      std::vector<PhysicsModule> modules,
                                      const std::string& mesh_file) {
-  auto system =
-      std::make_unique<System>(System{read_mesh(communicator, {mesh_file, deck.mesh.slits}),
-                                      std::move(modules),
-                                      {},
-                                      {},
-                                      {},
-                                      {},
-                                      {},
-                                      {},
-                                      {},
-                                      {},
-                                      {},
-                                      {}});
+  auto system = std::make_unique<System>(
+      System{read_mesh(communicator, {mesh_file, deck.mesh.slits, deck.mesh.context().dimension}),
+             std::move(modules),
+             {},
+             {},
+             {},
+             {},
+             {},
+             {},
+             {},
+             {},
+             {},
+             {}});
   Diagnostics diagnostics;
   check_regions(system->mesh, system->modules, diagnostics);
   diagnostics.throw_if_any();
@@ -122,7 +134,10 @@ std::string describe_row(const DofMap& dofs, GlobalIndex global_row) {
   std::ostringstream text;
   text << field.name;
   if (field.components > 1) text << ' ' << static_cast<char>('x' + info.component);
-  text << " at the node that started at (" << position[0] << ", " << position[1] << ") m";
+  text << " at the node that started at (" << position[0];
+  for (int j = 1; j < dofs.mesh().dimension; ++j)
+    text << ", " << position[j];
+  text << ") m";
   return text.str();
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hawser/simulation/deck_parameters.hpp"
+#include "src/force_report.hpp"
 #include "src/line_geometry.hpp"
 
 namespace hawser {
@@ -11,9 +12,7 @@ struct TowMeasures {
   double end_error = 0;        ///< m: distance of the tail from the tow axis
   double total_error = 0;      ///< m: mean over the cable's nodes (the paper's equation 8)
   double total_error_arc = 0;  ///< m: mean along the cable
-  double force = 0;            ///< N per metre of depth: what pulls at the tow point
-  double force_along = 0;      ///< its component along the tow axis
-  double force_across = 0;     ///< and 90 degrees to the left of it
+  Force force;                 ///< what pulls at the tow point, seen from the tow axis
   double cable_angle = 0;      ///< degrees, of the line tow point - tail from upstream
   double length = 0;           ///< m, of the stretched cable
 };
@@ -37,7 +36,7 @@ class TowReport {
   const DofMap& dofs_;
   TowDeck deck_;
   std::unique_ptr<LineGeometry> line_;
-  double axis_[2];
+  std::vector<double> axis_;  // of the tow, unit, in the plane z = 0
 };
 
 }  // namespace hawser

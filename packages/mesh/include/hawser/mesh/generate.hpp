@@ -2,6 +2,7 @@
 // Meshes made from parameters, by the program hawser_mesher: gmsh is GPL and stays out of this
 // process.
 #include <string>
+#include <vector>
 
 #include "hawser/base/communicator.hpp"
 
@@ -26,6 +27,16 @@ struct WaterBox {
   int cells[2] = {0, 0};  ///< not 0: a grid of right triangles instead
   std::string flow_direction = "-y";
 };
+
+/// A straight line alone, in the plane or in space.
+struct LineMesh {
+  std::vector<double> from, to;  ///< 2 or 3 coordinates, m
+  int segments = 1;
+};
+
+/// Region "cable", points "tow-point" (from), "tail" (to) and, with an even number of segments,
+/// "middle". Collective; MeshError on all ranks.
+void generate_mesh(const Communicator& communicator, const LineMesh& line, const std::string& path);
 
 /// Regions: "water"; lines "inflow", "outflow", "sides", "left", "right", "bottom", "top"; point
 /// "corner" (x_min, y_min); with a cable also the line "cable" and the points "tow-point" and

@@ -48,11 +48,13 @@ struct Region {
 };
 
 /// Regions are named by the gmsh physical groups. Of every line region inside the body (a cable),
-/// or of a mesh without a body, there is also "<name>/patches"; of every line region on the body's
-/// boundary "<name>/facets". Every region exists on every rank, if only without cells.
+/// or of a mesh without a body, there is also "<name>/patches", and for every point region that it
+/// touches "<name>/<point>": its cells there, turned so that they begin at the point. Of every line
+/// region on the body's boundary there is "<name>/facets". Every region exists on every rank, if
+/// only without cells.
 struct Mesh {
   Communicator communicator;
-  int dimension = 2;
+  int dimension = 2;  ///< of the space; in three the mesh has lines and points only
   PointSet vertices;
   PointSet split_vertices;  ///< vertices doubled along the slit lines, one per side; tips single
   PointSet edges;
@@ -61,6 +63,7 @@ struct Mesh {
   std::vector<LocalIndex> edge_ends;        ///< [local edge][2]
   std::vector<Region> regions;
 
+  bool has_body() const;  ///< some region is of triangles, on all ranks alike
   /// Null when there is none, on all ranks alike.
   const Region* find(const std::string& name) const;
   /// MeshError naming the regions there are.
@@ -70,6 +73,7 @@ struct Mesh {
 struct MeshOptions {
   std::string file;                ///< MSH 2.2 or 4.1, ASCII
   std::vector<std::string> slits;  ///< line regions across which split vertices are doubled
+  int dimension = 2;               ///< 3: z is read too, and there may be no triangles
 };
 
 /// Reads on rank 0, finds sides, edges, patches and facets there, partitions with METIS and

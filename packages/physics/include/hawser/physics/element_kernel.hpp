@@ -21,6 +21,7 @@ class ElementKernel : public Kernel {
   explicit ElementKernel(std::string region)
       : Kernel(std::move(region), {Derived::uses.begin(), Derived::uses.end()}) {}
 
+  int dimension() const override { return Derived::dimension; }
   int vertices_per_cell() const override { return Derived::nodes; }
 
   void bind(const std::vector<Tabulation>& /*shapes*/) override { partner_ = rate_partner(); }
@@ -98,6 +99,7 @@ class ElementKernel : public Kernel {
     const T& rate(int field, int node, int component) const {
       return rates[index(field, node, component)];
     }
+    double time() const { return cell->time; }  ///< s
     /// Reference coordinate, m.
     double coordinate(int node, int component) const {
       return cell->coordinates[node * Derived::dimension + component];

@@ -56,7 +56,8 @@ constexpr const char* displacement = "displacement";  ///< the one field that mo
 /// The fields of the towed-cable system in D dimensions.
 template <int D>
 struct StandardFields {
-  static constexpr FieldUse velocity{field_name::velocity, "m/s", "N/m", D,
+  static constexpr const char* force = D == 2 ? "N/m" : "N";
+  static constexpr FieldUse velocity{field_name::velocity, "m/s", force, D,
                                      RateRule::dynamic,    false};
   static constexpr FieldUse pressure{field_name::pressure, "Pa", "m^2/s", 1, RateRule::none, true};
   static constexpr FieldUse displacement{field_name::displacement,

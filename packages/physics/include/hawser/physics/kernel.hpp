@@ -45,6 +45,7 @@ class Kernel {
 
   const std::string& region() const { return region_; }
   const std::vector<FieldUse>& fields() const { return fields_; }
+  virtual int dimension() const = 0;  ///< of the mesh that it is written for
   /// Of the cells it is written for: 2 on a line, 3 in a body of triangles, on a facet or patch.
   virtual int vertices_per_cell() const = 0;
   /// Index in fields() of the velocity that a structure's displacement rate equals; -1 when not

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "hawser/deck/spec.hpp"
@@ -11,23 +12,38 @@
 
 namespace hawser {
 
+/// What a module is made for, beside its parameters: known before the mesh is read.
+struct ModuleContext {
+  int dimension = 2;  ///< of the mesh
+  /// "N" on a mesh of lines alone and in three dimensions; "N/m", per metre of depth, else.
+  const char* force_unit = "N/m";
+};
+
 class ModuleRegistry {
  public:
   struct Entry {
     NodeSpec spec;
-    std::function<PhysicsModule(const DeckNode&, Diagnostics&)> make;
+    std::function<PhysicsModule(const DeckNode&, const ModuleContext&, Diagnostics&)> make;
   };
 
-  /// Parameters has a static spec(), whose tag names the module in decks; `make` builds it from
-  /// them.
-  template <class Parameters>
-  void add(std::function<PhysicsModule(const Parameters&)> make) {
+  /// Parameters has a static spec(), whose tag names the module in decks. `make` builds the module
+  /// from (parameters), from (parameters, context), or, where a parameter can be wrong for the
+  /// mesh's dimension, from (parameters, context, diagnostics).
+  template <class Parameters, class Make>
+  void add(Make make) {
     const Spec<Parameters> spec = Parameters::spec();
     insert(spec.tag(),
-           {spec.node_spec(), [spec, make](const DeckNode& node, Diagnostics& diagnostics) {
+           {spec.node_spec(), [spec, make](const DeckNode& node, const ModuleContext& context,
+                                           Diagnostics& diagnostics) {
               const std::size_t before = diagnostics.error_count();
               const Parameters parameters = spec.read(node, diagnostics);
-              return diagnostics.error_count() == before ? make(parameters) : PhysicsModule();
+              if (diagnostics.error_count() != before) return PhysicsModule();
+              if constexpr (std::is_invocable_v<Make, const Parameters&>)
+                return make(parameters);
+              else if constexpr (std::is_invocable_v<Make, const Parameters&, const ModuleContext&>)
+                return make(parameters, context);
+              else
+                return make(parameters, context, diagnostics);
             }});
   }
 

@@ -65,6 +65,7 @@ class PointKernel : public Kernel {
   explicit PointKernel(std::string region)
       : Kernel(std::move(region), {Derived::uses.begin(), Derived::uses.end()}) {}
 
+  int dimension() const override { return Derived::dimension; }
   int vertices_per_cell() const override { return Derived::dimension + 1; }
 
   void bind(const std::vector<Tabulation>& shapes) override {

@@ -6,6 +6,7 @@
 
 #include "hawser/deck/spec.hpp"
 #include "hawser/mesh/generate.hpp"
+#include "hawser/physics/module_registry.hpp"
 #include "hawser/solve/nonlinear_driver.hpp"
 #include "hawser/time/step_control.hpp"
 #include "hawser/time/time_integrator.hpp"
@@ -29,8 +30,16 @@ struct WaterBoxDeck {
   WaterBox box() const;
 };
 
+/// A straight line alone.
+struct LineDeck {
+  std::vector<double> from, to;
+  int segments = 1;
+  static Spec<LineDeck> spec();
+};
+
 struct MeshFileDeck {
   Located<std::string> name;
+  int dimension = 2;
   static Spec<MeshFileDeck> spec();
 };
 
@@ -38,9 +47,14 @@ struct MeshDeck {
   std::vector<std::string> slits;
   std::optional<TowBoxDeck> tow_box;
   std::optional<WaterBoxDeck> water_box;
+  std::optional<LineDeck> line;
   std::optional<MeshFileDeck> file;
   Location location;
   static Spec<MeshDeck> spec();
+  /// What modules are told before there is a mesh.
+  ModuleContext context() const;
+  /// Makes the mesh, unless it is a file, at `path`; returns one line about it. Collective.
+  std::string generate(const Communicator& communicator, const std::string& path) const;
 };
 
 /// A named value for use in the rest of the deck; read_deck() has evaluated it already.
@@ -105,7 +119,7 @@ struct ForceDeck {
   std::string name;
   Located<std::string> on;
   Located<std::string> module{"all", {}};
-  std::vector<double> axis = {1, 0};
+  Located<std::vector<double>> axis;  ///< +x when empty
   static Spec<ForceDeck> spec();
 };
 
