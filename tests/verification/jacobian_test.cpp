@@ -197,9 +197,9 @@ void check_kernel(Kernel& kernel, const Mesh& mesh, unsigned seed, double& worst
 
 /// All of a module's snippets, as they are for a mesh of that dimension.
 std::vector<PhysicsModule> make_modules(const ModuleRegistry& registry, const std::string& tag,
-                                        const Snippets& snippets, int dimension) {
+                                        const Snippets& known, int dimension) {
   std::vector<PhysicsModule> modules;
-  const auto range = snippets.equal_range(tag);
+  const auto range = known.equal_range(tag);
   for (auto snippet = range.first; snippet != range.second; ++snippet) {
     Diagnostics diagnostics;
     const Deck deck = parse_deck(snippet->second, tag, diagnostics);
