@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", HAWSER_VERSION);
   app.require_subcommand(1);
   std::vector<Verb> verbs;
-  for (const auto& group : {run_verbs, deck_verbs})
+  for (const auto& group : {run_verbs, converge_verbs, deck_verbs})
     for (Verb& verb : group(app))
       verbs.push_back(std::move(verb));
   const Action action = read_command_line(app, verbs, argc, argv);

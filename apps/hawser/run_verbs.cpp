@@ -4,6 +4,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/simulation.hpp"
 #include "known_modules.hpp"
+#include "run_options.hpp"
 #include "verb.hpp"
 
 namespace hawser::program {
@@ -28,7 +29,8 @@ std::shared_ptr<Arguments> new_arguments(CLI::App& verb) {
   return arguments;
 }
 
-/// Values of the deck that are replaced.
+}  // namespace
+
 void add_changes(CLI::App& verb, RunOptions& options) {
   verb.add_option_function<std::vector<std::string>>(
           "--set",
@@ -43,6 +45,8 @@ void add_changes(CLI::App& verb, RunOptions& options) {
           "replace a value of the deck: time/step=5, or a parameter: tow_speed=0.3; repeatable")
       ->allow_extra_args(false);
 }
+
+namespace {
 
 void add_run_options(CLI::App& verb, RunOptions& options, bool needs_output) {
   verb.add_option("-o,--output", options.output, "folder for the results")->required(needs_output);

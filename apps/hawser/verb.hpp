@@ -22,7 +22,8 @@ struct Verb {
   std::variant<OnRanks, Alone> action;
 };
 
-std::vector<Verb> run_verbs(CLI::App& app);   ///< run, restart, check
+std::vector<Verb> run_verbs(CLI::App& app);  ///< run, restart, check
+std::vector<Verb> converge_verbs(CLI::App& app);
 std::vector<Verb> deck_verbs(CLI::App& app);  ///< modules, describe
 
 }  // namespace hawser::program

@@ -36,6 +36,9 @@ void Summary::set(const std::string& key, int number) {
 }
 void Summary::set(const std::string& key, long long number) { value(key) = number; }
 void Summary::set(const std::string& key, bool flag) { value(key) = flag; }
+void Summary::set(const std::string& key, const std::vector<double>& numbers) {
+  value(key) = numbers;
+}
 void Summary::set(const std::string& key, const std::string& text) { value(key) = text; }
 void Summary::set(const std::string& key, const char* text) { value(key) = std::string(text); }
 

@@ -336,7 +336,9 @@ Spec<RunDeck> RunDeck::spec() {
       .child(&P::output)
       .child(&P::tow)
       .children(&P::forces)
-      .children(&P::expectations);
+      .children(&P::expectations)
+      .children(&P::errors)
+      .child(&P::converge);
 }
 
 }  // namespace hawser

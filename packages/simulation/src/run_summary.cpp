@@ -81,6 +81,13 @@ Summary RunSummary::summary(const System& system, const RunDeck& deck) const {
   for (const Probe& probe : system.probes)
     for (int c = 0; c < probe.components; ++c)
       result.set(quantity_name({probe_column(probe, c), probe.unit}), last_.probes[value++]);
+  for (const ErrorReport& error : system.errors) {
+    const bool ends =
+        system.table.rate_rules[static_cast<std::size_t>(error.field())] != RateRule::none;
+    const ErrorNorms norms = error.measure(ends ? system.problem->end() : system.problem->state());
+    result.set(error.name() + "_error_l2", norms.l2);
+    result.set(error.name() + "_error_max", norms.max);
+  }
   result.set("mesh_quality_min", least_quality_);
   result.set("courant_max", courant_);
   result.set("steps", steps_);

@@ -91,6 +91,7 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
              {},
              {},
              {},
+             {},
              {}});
   Diagnostics diagnostics;
   check_regions(system->mesh, system->modules, diagnostics);
@@ -106,6 +107,8 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
     system->forces.emplace_back(*system->assembler, system->modules, force, diagnostics);
   for (const ProbeDeck& probe : deck.output.probes)
     system->probes.push_back(make_probe(*system->dofs, probe, diagnostics));
+  for (const ErrorDeck& error : deck.errors)
+    system->errors.emplace_back(*system->dofs, error, diagnostics);
   diagnostics.throw_if_any();
 
   system->integrator = std::make_unique<TimeIntegrator>(

@@ -10,6 +10,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/solve/nonlinear_driver.hpp"
 #include "src/coupled_problem.hpp"
+#include "src/error_report.hpp"
 #include "src/histories.hpp"
 
 namespace hawser {
@@ -27,6 +28,7 @@ struct System {
   std::unique_ptr<TowReport> tow;  ///< null when the deck asks for none
   std::vector<ForceReport> forces;
   std::vector<Probe> probes;
+  std::vector<ErrorReport> errors;
 };
 
 /// Collective. MeshError, or DeckError with every name that the mesh or the modules do not know.

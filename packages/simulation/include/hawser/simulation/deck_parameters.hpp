@@ -7,6 +7,7 @@
 #include "hawser/deck/spec.hpp"
 #include "hawser/mesh/generate.hpp"
 #include "hawser/physics/module_registry.hpp"
+#include "hawser/simulation/verification_deck.hpp"
 #include "hawser/solve/nonlinear_driver.hpp"
 #include "hawser/time/step_control.hpp"
 #include "hawser/time/time_integrator.hpp"
@@ -156,6 +157,8 @@ struct RunDeck {
   std::optional<TowDeck> tow;
   std::vector<ForceDeck> forces;
   std::vector<ExpectDeck> expectations;
+  std::vector<ErrorDeck> errors;
+  std::optional<ConvergeDeck> converge;
   static Spec<RunDeck> spec();
 };
 

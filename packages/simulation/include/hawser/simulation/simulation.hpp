@@ -9,8 +9,15 @@
 #include "hawser/deck/read_deck.hpp"
 #include "hawser/output/summary.hpp"
 #include "hawser/physics/module_registry.hpp"
+#include "hawser/simulation/verification_deck.hpp"
 
 namespace hawser {
+
+/// The cells, the steps or both are 2^level times smaller than the deck's.
+struct RefinedBy {
+  Refinement what = Refinement::space;
+  int level = 0;
+};
 
 struct RunOptions {
   std::string output;  ///< result folder
@@ -19,6 +26,7 @@ struct RunOptions {
   bool force = false;               ///< write over the results of a finished run
   bool quiet = false;               ///< no progress lines
   std::optional<double> end;        ///< s, instead of the deck's end
+  std::optional<RefinedBy> refined{};
 };
 
 class Simulation {

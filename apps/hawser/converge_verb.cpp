@@ -1,0 +1,44 @@
+// Observed orders of accuracy.
+#include <map>
+
+#include "hawser/base/error.hpp"
+#include "hawser/simulation/convergence.hpp"
+#include "known_modules.hpp"
+#include "run_options.hpp"
+#include "verb.hpp"
+
+namespace hawser::program {
+
+std::vector<Verb> converge_verbs(CLI::App& app) {
+  struct Arguments {
+    std::string deck;
+    ConvergenceOptions options;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  ConvergenceOptions& options = arguments->options;
+  options.run.plugin_folder = default_plugin_folder();
+  auto* verb = app.add_subcommand(
+      "converge", "run a deck on ever finer meshes or with ever shorter steps, and report orders");
+  verb->add_option("deck", arguments->deck, "XML deck with <error> elements")->required();
+  add_changes(*verb, options.run);
+  verb->add_option("-o,--output", options.run.output, "folder for the results")->required();
+  const std::map<std::string, Refinement> words = {
+      {"space", Refinement::space}, {"time", Refinement::time}, {"both", Refinement::both}};
+  verb->add_option("--refine", options.refine, "instead of the deck's <converge refine>")
+      ->transform(CLI::CheckedTransformer(words));
+  verb->add_option("--levels", options.levels, "instead of the deck's <converge levels>")
+      ->check(CLI::Range(2, 12));
+  verb->add_option("--plugin-dir", options.run.plugin_folder,
+                   "folder that plug-ins are loaded from");
+  verb->add_flag("-f,--force", options.run.force, "write over the results of a finished study");
+  verb->add_flag("-q,--quiet", options.run.quiet, "no table");
+  return {{verb, OnRanks([arguments](const Communicator& world) {
+             const Summary result =
+                 converge(world, built_in_modules(), arguments->deck, arguments->options);
+             return static_cast<int>(result.number("orders_failed").value_or(0) > 0
+                                         ? ExitCode::expectation
+                                         : ExitCode::done);
+           })}};
+}
+
+}  // namespace hawser::program

@@ -1,0 +1,131 @@
+#include "src/error_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/fields/tabulate.hpp"
+#include "hawser/physics/field_use.hpp"
+#include "src/look_up.hpp"
+
+namespace hawser {
+namespace {
+
+// An error that is a polynomial of degree 4 on a cell is squared exactly: the quadrature's own
+// error is far below the one that is measured.
+constexpr int degree = 8;
+
+/// Length of a line, area of a triangle times two: the scale of weights on the unit simplex.
+double scale(const double (&corner)[3][3], int corners) {
+  double a[3], b[3];
+  for (int j = 0; j < 3; ++j) {
+    a[j] = corner[1][j] - corner[0][j];
+    b[j] = corner[2][j] - corner[0][j];
+  }
+  if (corners == 2) return std::hypot(a[0], a[1], a[2]);
+  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                    a[0] * b[1] - a[1] * b[0]);
+}
+
+}  // namespace
+
+ErrorReport::ErrorReport(const DofMap& dofs, const ErrorDeck& deck, Diagnostics& diagnostics)
+    : dofs_(dofs),
+      deck_(deck),
+      region_(find_region(dofs.mesh(), deck.on, diagnostics)),
+      field_(find_field(dofs, deck.field, diagnostics)) {
+  if (region_ == nullptr || field_ < 0) return;
+  const FieldDescription& field = dofs.fields()[static_cast<std::size_t>(field_)];
+  components_ = static_cast<std::size_t>(field.components);
+  if (deck.exact.value.size() != components_)
+    diagnostics.error(deck.exact.location, "field '" + field.name + "' has " +
+                                               std::to_string(components_) + " component(s), and " +
+                                               std::to_string(deck.exact.value.size()) +
+                                               " are given; formulas are set apart by ';'");
+  if (region_->dimension == 0)
+    diagnostics.error(deck.on.location, "an error is measured on a body or a line, and '" +
+                                            region_->name +
+                                            "' is a point; a <probe> gives the value there");
+  else if (field.split && region_->shape == CellShape::line)
+    diagnostics.error(deck.on.location, "field '" + field.name +
+                                            "' may have two values on a line; measure its error "
+                                            "on the body");
+}
+
+std::vector<ErrorReport::Sample> ErrorReport::sample(const State& state) const {
+  const Mesh& mesh = dofs_.mesh();
+  const Region& region = *region_;
+  const int corners = region.vertices_per_cell;
+  const int moved = dofs_.find(field_name::displacement);
+  const Tabulation field =
+      tabulate(region.shape, dofs_.fields()[static_cast<std::size_t>(field_)].basis, degree);
+  const Tabulation geometry = tabulate(region.shape, Basis::p1, degree);
+
+  std::vector<Sample> samples;
+  std::vector<LocalIndex> rows;
+  for (LocalIndex cell = 0; cell < region.size(); ++cell) {
+    if (region.cell_owners[static_cast<std::size_t>(cell)] != mesh.communicator.rank()) continue;
+    double X[3][3] = {}, x[3][3] = {};
+    for (int k = 0; k < corners; ++k) {
+      const LocalIndex vertex = region.vertices[static_cast<std::size_t>(cell * corners + k)];
+      const LocalIndex first = moved < 0 ? -1 : dofs_.first_row(moved, PointKind::vertex, vertex);
+      for (int j = 0; j < mesh.dimension; ++j) {
+        X[k][j] = mesh.coordinates[static_cast<std::size_t>(mesh.dimension * vertex + j)];
+        x[k][j] = X[k][j] + (first < 0 ? 0 : state.value[static_cast<std::size_t>(first + j)]);
+      }
+    }
+    rows.clear();
+    dofs_.append_cell_rows(field_, region, cell, rows);
+    for (int q = 0; q < field.points; ++q) {
+      const auto shape = [&](const Tabulation& table, std::size_t a) {
+        return table.values[static_cast<std::size_t>(q * table.nodes) + a];
+      };
+      double place[2][3] = {};  // X, x
+      for (int k = 0; k < corners; ++k)
+        for (int j = 0; j < 3; ++j) {
+          place[0][j] += shape(geometry, static_cast<std::size_t>(k)) * X[k][j];
+          place[1][j] += shape(geometry, static_cast<std::size_t>(k)) * x[k][j];
+        }
+      const SpaceTime at{place[1][0], place[1][1], place[1][2], place[0][0],
+                         place[0][1], place[0][2], state.time};
+      Sample result{field.weights[static_cast<std::size_t>(q)] * scale(x, corners), {}};
+      for (std::size_t c = 0; c < components_; ++c) {
+        result.error[c] = -deck_.exact.value[c](at);
+        for (std::size_t a = 0; a < rows.size(); ++a)
+          result.error[c] += shape(field, a) * state.value[static_cast<std::size_t>(rows[a]) + c];
+      }
+      samples.push_back(result);
+    }
+  }
+  return samples;
+}
+
+ErrorNorms ErrorReport::measure(const State& state) const {
+  const Communicator& communicator = dofs_.mesh().communicator;
+  std::vector<Sample> samples;
+  communicator.together([&] { samples = sample(state); });
+  if (deck_.up_to_constant) {
+    double volume = 0, sum[3] = {};
+    for (const Sample& one : samples) {
+      volume += one.weight;
+      for (std::size_t c = 0; c < components_; ++c)
+        sum[c] += one.weight * one.error[c];
+    }
+    volume = communicator.sum(volume);
+    for (std::size_t c = 0; c < components_; ++c) {
+      const double mean = communicator.sum(sum[c]) / volume;
+      for (Sample& one : samples)
+        one.error[c] -= mean;
+    }
+  }
+  ErrorNorms result;
+  for (const Sample& one : samples)
+    for (std::size_t c = 0; c < components_; ++c) {
+      result.l2 += one.weight * one.error[c] * one.error[c];
+      result.max = std::max(result.max, std::abs(one.error[c]));
+    }
+  result.l2 = std::sqrt(communicator.sum(result.l2));
+  result.max = communicator.max(result.max);
+  return result;
+}
+
+}  // namespace hawser
