@@ -31,7 +31,9 @@ std::vector<Verb> converge_verbs(CLI::App& app) {
   verb->add_option("--plugin-dir", options.run.plugin_folder,
                    "folder that plug-ins are loaded from");
   verb->add_flag("-f,--force", options.run.force, "write over the results of a finished study");
-  verb->add_flag("-q,--quiet", options.run.quiet, "no table");
+  verb->add_flag_callback(
+      "-q,--quiet", [&options] { options.run.detail = LogDetail::quiet; }, "no table");
+  verb->footer("Example: hawser converge DECK -o results/orders --refine space --levels 4");
   return {{verb, OnRanks([arguments](const Communicator& world) {
              const Summary result =
                  converge(world, built_in_modules(), arguments->deck, arguments->options);

@@ -75,8 +75,9 @@ int main(int argc, char** argv) {
       "Hawser: towed cables in a current, and what else its parts can be put together to do."};
   app.set_version_flag("--version", HAWSER_VERSION);
   app.require_subcommand(1);
+  app.footer("hawser VERB --help says more about each, with an example. Manual: man hawser");
   std::vector<Verb> verbs;
-  for (const auto& group : {run_verbs, converge_verbs, deck_verbs})
+  for (const auto& group : {run_verbs, converge_verbs, info_verbs, deck_verbs})
     for (Verb& verb : group(app))
       verbs.push_back(std::move(verb));
   const Action action = read_command_line(app, verbs, argc, argv);

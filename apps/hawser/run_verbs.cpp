@@ -1,5 +1,8 @@
-// Runs, runs that go on, and the check of a deck.
+// Runs, runs that go on, the check of a deck, and its mesh.
+#include <nlohmann/json.hpp>
+
 #include <cstdio>
+#include <filesystem>
 
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/simulation.hpp"
@@ -13,6 +16,7 @@ namespace {
 struct Arguments {
   std::string file;
   RunOptions options;
+  bool quiet = false, verbose = false, dry_run = false;
 };
 
 int exit_code(const Summary& summary) {
@@ -48,41 +52,91 @@ void add_changes(CLI::App& verb, RunOptions& options) {
 
 namespace {
 
-void add_run_options(CLI::App& verb, RunOptions& options, bool needs_output) {
-  verb.add_option("-o,--output", options.output, "folder for the results")->required(needs_output);
-  verb.add_flag("-f,--force", options.force, "write over the results of a finished run");
-  verb.add_flag("-q,--quiet", options.quiet, "no progress lines");
-  verb.add_option("--end", options.end, "end time in s, instead of the deck's")
+void add_run_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("-o,--output", arguments.options.output, "folder for the results");
+  verb.add_flag("-f,--force", arguments.options.force, "write over the results of another run");
+  verb.add_option("--end", arguments.options.end, "end time in s, instead of the deck's")
       ->check(CLI::PositiveNumber);
+  auto* quiet = verb.add_flag("-q,--quiet", arguments.quiet, "tell what goes wrong only");
+  auto* verbose =
+      verb.add_flag("-v,--verbose", arguments.verbose, "a line per Newton iteration, too");
+  auto* json =
+      verb.add_flag("--log-json", arguments.options.log_json, "tell in JSON, one object per line");
+  quiet->excludes(verbose, json);
+  verbose->excludes(json);
+}
+
+/// With --log-json an error is the last object; the sentence for people follows as ever.
+template <class Work>
+int told(const Communicator& world, const Arguments& arguments, const Work& work) {
+  try {
+    return exit_code(work());
+  } catch (const Error& error) {
+    if (arguments.options.log_json && world.is_root()) {
+      const nlohmann::ordered_json event = {{"event", "error"},
+                                            {"message", error.what()},
+                                            {"exit_code", static_cast<int>(error.code())}};
+      std::printf("%s\n",
+                  event.dump(-1, ' ', false, decltype(event)::error_handler_t::replace).c_str());
+      std::fflush(stdout);
+    }
+    throw;
+  }
+}
+
+RunOptions options_of(const Arguments& arguments) {
+  RunOptions options = arguments.options;
+  if (arguments.quiet) options.detail = LogDetail::quiet;
+  if (arguments.verbose) options.detail = LogDetail::iterations;
+  return options;
 }
 
 Verb run_verb(CLI::App& app) {
-  auto* verb =
-      app.add_subcommand("run", "run a deck: hawser run inputs/deep_tow/case_02.xml -o results/a");
+  auto* verb = app.add_subcommand("run", "run a deck");
+  verb->footer(
+      "Example: mpirun -np 2 hawser run inputs/deep_tow/case_02.xml -o results/case_02\n"
+      "SIGTERM, SIGINT, SIGUSR2: checkpoint and stop, exit code 75. SIGUSR1: checkpoint.");
   const auto arguments = new_arguments(*verb);
   verb->add_option("deck", arguments->file, "XML deck")->required();
   add_changes(*verb, arguments->options);
-  add_run_options(*verb, arguments->options, true);
-  return {verb, OnRanks([arguments](const Communicator& world) {
-            return exit_code(
-                Simulation(world, built_in_modules(), arguments->file, arguments->options).run());
+  add_run_options(*verb, *arguments);
+  verb->add_flag("--dry-run", arguments->dry_run,
+                 "say what it would take: unknowns, memory, mesh, Courant number");
+  const auto preview = [](const Communicator& world, Simulation simulation) {
+    const std::string text = simulation.preview();
+    if (world.is_root()) std::fputs(text.c_str(), stdout);
+    return 0;
+  };
+  return {verb, OnRanks([arguments, preview](const Communicator& world) {
+            const RunOptions options = options_of(*arguments);
+            const auto simulation = [&] {
+              return Simulation(world, built_in_modules(), arguments->file, options);
+            };
+            if (arguments->dry_run) return preview(world, simulation());
+            if (options.output.empty())
+              throw Error(ExitCode::usage, "where to? Give a folder for the results: -o FOLDER");
+            return told(world, *arguments, [&] { return simulation().run(); });
           })};
 }
 
 Verb restart_verb(CLI::App& app) {
   auto* verb = app.add_subcommand("restart", "go on from a checkpoint, on any number of ranks");
+  verb->footer("Example: mpirun -np 3 hawser restart results/case_02/checkpoint.h5");
   const auto arguments = new_arguments(*verb);
   verb->add_option("checkpoint", arguments->file, "checkpoint.h5 of an earlier run")->required();
-  add_run_options(*verb, arguments->options, false);
+  add_run_options(*verb, *arguments);
   return {verb, OnRanks([arguments](const Communicator& world) {
-            return exit_code(
-                Simulation::restart(world, built_in_modules(), arguments->file, arguments->options)
-                    .run());
+            return told(world, *arguments, [&] {
+              return Simulation::restart(world, built_in_modules(), arguments->file,
+                                         options_of(*arguments))
+                  .run();
+            });
           })};
 }
 
 Verb check_verb(CLI::App& app) {
   auto* verb = app.add_subcommand("check", "read a deck and report every fault in it");
+  verb->footer("Example: hawser check inputs/deep_tow/case_02.xml");
   const auto arguments = new_arguments(*verb);
   verb->add_option("deck", arguments->file, "XML deck")->required();
   add_changes(*verb, arguments->options);
@@ -96,10 +150,41 @@ Verb check_verb(CLI::App& app) {
           })};
 }
 
+/// Never over a file of the user's.
+void refuse_existing(const Communicator& world, const std::string& file) {
+  world.on_root([&] {
+    std::error_code none;
+    if (std::filesystem::exists(file, none))
+      throw OutputError(file + " is there already; choose another name, or --force to replace it");
+  });
+}
+
+Verb mesh_verb(CLI::App& app) {
+  auto* verb = app.add_subcommand("mesh", "make a deck's mesh alone, and say what it is like");
+  verb->footer("Example: hawser mesh inputs/deep_tow/case_02.xml -o case_02.msh");
+  const auto arguments = new_arguments(*verb);
+  verb->add_option("deck", arguments->file, "XML deck")->required();
+  add_changes(*verb, arguments->options);
+  verb->add_option("-o,--output", arguments->options.output, "file for the mesh, MSH 4.1");
+  verb->add_flag("-f,--force", arguments->options.force, "replace the file");
+  return {verb, OnRanks([arguments](const Communicator& world) {
+            const RunOptions& options = arguments->options;
+            Simulation simulation(world, built_in_modules(), arguments->file, options);
+            if (simulation.has_mesh_file() != options.output.empty())
+              throw Error(ExitCode::usage, simulation.has_mesh_file()
+                                               ? "the deck's mesh is a file already; leave out -o"
+                                               : "where to? Give a file for the mesh: -o FILE");
+            if (!options.output.empty() && !options.force) refuse_existing(world, options.output);
+            const std::string text = simulation.make_mesh(options.output);
+            if (world.is_root()) std::fputs(text.c_str(), stdout);
+            return 0;
+          })};
+}
+
 }  // namespace
 
 std::vector<Verb> run_verbs(CLI::App& app) {
-  return {run_verb(app), restart_verb(app), check_verb(app)};
+  return {run_verb(app), restart_verb(app), check_verb(app), mesh_verb(app)};
 }
 
 }  // namespace hawser::program

@@ -87,6 +87,16 @@ double Hdf5File::number(const std::string& of, const std::string& name) const {
   return value;
 }
 
+std::string Hdf5File::text(const std::string& of, const std::string& name) const {
+  const Hdf5Handle attribute(
+      H5Aopen_by_name(file_, of.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  require(attribute.valid());
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+  std::string value(H5Tget_size(type), '\0');
+  require(H5Aread(attribute, type, value.data()) >= 0);
+  return without_padding(value);
+}
+
 GlobalIndex Hdf5File::integer(const std::string& of, const std::string& name) const {
   GlobalIndex value = 0;
   const Hdf5Handle attribute(

@@ -69,6 +69,7 @@ class Hdf5File {
   std::vector<std::string> attributes(const std::string& of) const;
   double number(const std::string& of, const std::string& name) const;
   GlobalIndex integer(const std::string& of, const std::string& name) const;
+  std::string text(const std::string& of, const std::string& name) const;
 
   /// A text of any length as a dataset (an attribute ends at 64 KiB).
   void write_text(const std::string& name, const std::string& text);

@@ -87,7 +87,7 @@ class Study {
   std::string run_level(int level, const ResultFolder& folder) {
     RunOptions run = options_.run;
     run.output = folder.file(fmt::format("level-{}", level));
-    run.quiet = true;
+    run.detail = LogDetail::quiet;
     run.refined = RefinedBy{converge_.refine, level};
     const Summary summary = Simulation(communicator_, registry_, deck_file_, run).run();
     const auto number = [&](const char* key) { return summary.number(key).value_or(0); };
@@ -149,7 +149,7 @@ class Study {
   }
 
   void print(const std::string& line) const {
-    if (!communicator_.is_root() || options_.run.quiet) return;
+    if (!communicator_.is_root() || options_.run.detail == LogDetail::quiet) return;
     std::fputs((line + "\n").c_str(), stdout);
     std::fflush(stdout);
   }

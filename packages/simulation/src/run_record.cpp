@@ -1,6 +1,7 @@
 #include "src/run_record.hpp"
 
 #include "src/mesh_monitor.hpp"
+#include "src/provenance.hpp"
 #include "src/state_checkpoint.hpp"
 
 namespace hawser {
@@ -27,10 +28,11 @@ void measure(const System& system, StepFigures& result) {
 }  // namespace
 
 RunRecord::RunRecord(System& system, const RunCase& run, const ResultFolder& folder,
-                     std::string mesh_file, const CheckpointReader* earlier)
+                     std::string mesh_file, RunLog& log, const CheckpointReader* earlier)
     : system_(system),
       run_(run),
       folder_(folder),
+      log_(log),
       mesh_file_(std::filesystem::absolute(mesh_file)),
       step_(earlier ? earlier->header().step : 0),
       fields_(*system.assembler, system.tow.get(), folder.path(), earlier ? step_ : -1),
@@ -54,6 +56,7 @@ void RunRecord::write(const StepFigures& figures, const StepControl& steps, bool
   if (due(output.fields_every) || last) {
     fields_.write(step_, state);
     histories_.append_cable(state);
+    log_.wrote("fields", step_, state.time);
   }
   if (due(output.checkpoint_every)) save_checkpoint(steps);
 }
@@ -66,12 +69,16 @@ std::string RunRecord::save_checkpoint(const StepControl& steps) {
   figures_.save(header);
   header.texts["deck"] = run_.text.text;
   header.texts["deck_file"] = run_.text.file;
+  Summary provenance;
+  add_provenance(system_.mesh.communicator, provenance);
+  header.texts["provenance"] = provenance.object("provenance").json();
   // A mesh beside the checkpoint is named without its folder, so that both can be moved.
   const bool beside = mesh_file_.parent_path() == std::filesystem::absolute(folder_.path());
   header.texts["mesh"] = (beside ? mesh_file_.filename() : mesh_file_).string();
   const std::string path = folder_.file("checkpoint.h5");
   save_history(*system_.dofs, system_.integrator->history(), header, path);
   system_.driver->forget();
+  log_.wrote("checkpoint", step_, system_.integrator->history().time);
   return path;
 }
 

@@ -9,6 +9,7 @@
 #include "hawser/time/step_control.hpp"
 #include "src/field_output.hpp"
 #include "src/run_case.hpp"
+#include "src/run_log.hpp"
 #include "src/run_summary.hpp"
 #include "src/system.hpp"
 
@@ -19,7 +20,7 @@ class RunRecord {
   /// Goes on from `earlier` unless that is null. All members are collective; OutputError on all
   /// ranks. The references must outlive the record.
   RunRecord(System& system, const RunCase& run, const ResultFolder& folder, std::string mesh_file,
-            const CheckpointReader* earlier);
+            RunLog& log, const CheckpointReader* earlier);
 
   void rejected() { figures_.rejected(); }
   /// Takes an accepted step into account, numbers and measures it.
@@ -37,6 +38,7 @@ class RunRecord {
   System& system_;
   const RunCase& run_;
   const ResultFolder& folder_;
+  RunLog& log_;
   std::filesystem::path mesh_file_;
   int step_;
   FieldOutput fields_;

@@ -6,11 +6,13 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/deck_language.hpp"
-#include "src/progress.hpp"
+#include "src/preview.hpp"
 #include "src/provenance.hpp"
 #include "src/run_case.hpp"
+#include "src/run_log.hpp"
 #include "src/run_record.hpp"
 #include "src/run_signals.hpp"
+#include "src/scratch_folder.hpp"
 #include "src/state_checkpoint.hpp"
 
 namespace hawser {
@@ -26,8 +28,8 @@ struct Simulation::Implementation {
   std::unique_ptr<System> system;
   std::unique_ptr<StepControl> steps;
   std::unique_ptr<RunRecord> record;
-  std::unique_ptr<Progress> progress;
-  Stopwatch newton_watch, setup_watch;
+  std::unique_ptr<RunLog> log;
+  Stopwatch setup_watch, run_watch, newton_watch;
 
   Implementation(const Communicator& comm, ModuleRegistry known, RunOptions wanted)
       : communicator(comm), registry(std::move(known)), options(std::move(wanted)) {}
@@ -49,23 +51,28 @@ struct Simulation::Implementation {
   }
 
   // A restarted run uses the very mesh of the run that it continues.
-  std::string provide_mesh(const ResultFolder& folder) const {
+  std::string provide_mesh(const std::string& place) const {
     if (checkpoint) return (home / checkpoint->header().texts.at("mesh")).string();
-    const ProvidedMesh mesh = hawser::provide_mesh(communicator, run_case, folder.file("mesh.msh"));
-    if (!mesh.made.empty()) progress->note(mesh.made);
+    const ProvidedMesh mesh = hawser::provide_mesh(communicator, run_case, place);
+    if (log && !mesh.made.empty()) log->note(mesh.made);
     return mesh.file;
+  }
+
+  /// `place` is for a mesh that must be made.
+  std::string build(const std::string& place) {
+    try {
+      const std::string file = provide_mesh(place);
+      system = build_system(communicator, deck(), std::move(run_case.modules), file);
+      return file;
+    } catch (const MeshError& error) {
+      throw MeshError(deck().mesh.location.text() + ": " + error.what());
+    }
   }
 
   void set_up(const ResultFolder& folder) {
     const auto lap = setup_watch.lap();
-    progress = std::make_unique<Progress>(communicator, options.quiet);
-    std::string mesh_file;
-    try {
-      mesh_file = provide_mesh(folder);
-      system = build_system(communicator, deck(), std::move(run_case.modules), mesh_file);
-    } catch (const MeshError& error) {
-      throw MeshError(deck().mesh.location.text() + ": " + error.what());
-    }
+    log = make_run_log(communicator, options);
+    const std::string mesh_file = build(folder.file("mesh.msh"));
     steps = std::make_unique<StepControl>(
         deck().time, deck().time.steady() ? std::vector<double>() : system->conditions->events());
     if (checkpoint) {
@@ -74,9 +81,10 @@ struct Simulation::Implementation {
       steps->resume(numbers.at("control_step_s"),
                     static_cast<int>(numbers.at("control_successes")));
     }
-    record = std::make_unique<RunRecord>(*system, run_case, folder, mesh_file, checkpoint.get());
+    record =
+        std::make_unique<RunRecord>(*system, run_case, folder, mesh_file, *log, checkpoint.get());
     folder.write("resolved.xml", resolved(run_case.text, registry));
-    progress->start(*system, deck());
+    log->start(*system, deck(), folder.path());
   }
 
   /// One attempt at a step; SolveError when there is no solution to be had.
@@ -92,7 +100,7 @@ struct Simulation::Implementation {
     result.newton_iterations = report.iterations;
     result.local_error = system->integrator->local_error(problem.state());
     result.linear_iterations = report.linear_iterations;
-    progress->solved(report);
+    log->solved(report);
     return result;
   }
 
@@ -105,14 +113,14 @@ struct Simulation::Implementation {
       const StepOutcome outcome{result.local_error, result.newton_iterations};
       if (steps->is_too_inaccurate(outcome) && steps->rejected(length, outcome)) {
         record->rejected();
-        progress->rejected(now(), length, "local error " + write_value(*result.local_error));
+        log->rejected(now(), length, "local error " + write_value(*result.local_error));
         return std::nullopt;
       }
       steps->accepted(length, outcome);
       return result;
     } catch (const SolveError& error) {
       record->rejected();
-      progress->rejected(now(), length, error.what());
+      log->rejected(now(), length, error.what());
       if (deck().time.steady()) throw;
       if (steps->rejected(length)) return std::nullopt;
       throw SolveError(std::string(error.what()) +
@@ -126,10 +134,29 @@ struct Simulation::Implementation {
     const std::string checkpoint_file = record->save_checkpoint(*steps);
     const std::string time = "t = " + write_value(now()) + " s";
     if (request.kind == Request::Kind::checkpoint)
-      return progress->note(request.signal + ": checkpoint of " + time + " in " + checkpoint_file);
+      return log->note(request.signal + ": checkpoint of " + time + " in " + checkpoint_file);
     throw Error(ExitCode::stopped, "stopped by " + request.signal + " at " + time +
                                        "; go on with: hawser restart " + checkpoint_file +
                                        (options.end ? " --end " + write_value(*options.end) : ""));
+  }
+
+  std::string preview() {
+    const ScratchFolder scratch(communicator);
+    build(scratch.path() + "/mesh.msh");
+    return hawser::preview(*system, deck(), deck().time.step);
+  }
+
+  void step_to_the_end(const RunSignals& signals) {
+    const auto lap = run_watch.lap();
+    while (!steps->finished(now())) {
+      obey(signals.take());
+      std::optional<StepFigures> figures = advance();
+      if (!figures) continue;
+      system->problem->accept();
+      record->accepted(*figures);
+      log->stepped(*figures, deck().time.end);
+      record->write(*figures, *steps, steps->finished(now()));
+    }
   }
 
   Summary run() {
@@ -137,15 +164,7 @@ struct Simulation::Implementation {
     const RunSignals signals(communicator);
     const ResultFolder folder(communicator, options.output, existing_results());
     set_up(folder);
-    while (!steps->finished(now())) {
-      obey(signals.take());
-      std::optional<StepFigures> figures = advance();
-      if (!figures) continue;
-      system->problem->accept();
-      record->accepted(*figures);
-      progress->stepped(*figures, deck().time.end);
-      record->write(*figures, *steps, steps->finished(now()));
-    }
+    step_to_the_end(signals);
     return summarise(folder);
   }
 
@@ -158,11 +177,11 @@ struct Simulation::Implementation {
     timings.set("linear_solve_s", newton_watch.seconds() - system->problem->residual_seconds() -
                                       system->problem->tangent_seconds());
     timings.set("output_s", record->seconds());
-    summary.set("wall_s", setup_watch.seconds() + progress->elapsed());
+    summary.set("wall_s", setup_watch.seconds() + run_watch.seconds());
     add_provenance(communicator, summary);
     check_expectations(deck(), summary);
     summary.write(communicator, folder.file("summary.json"));
-    progress->finish(*system, deck(), summary, folder.path());
+    log->finish(*system, deck(), summary);
     return summary;
   }
 };
@@ -202,6 +221,20 @@ Simulation Simulation::restart(const Communicator& communicator, ModuleRegistry 
 }
 
 Summary Simulation::run() { return implementation_->run(); }
+std::string Simulation::preview() { return implementation_->preview(); }
+
+std::string Simulation::make_mesh(const std::string& file) {
+  const Communicator& communicator = implementation_->communicator;
+  const MeshDeck& deck = implementation_->deck().mesh;
+  try {
+    const std::string made = provide_mesh(communicator, implementation_->run_case, file).file;
+    return describe_mesh(read_mesh(communicator, {made, deck.slits}));
+  } catch (const MeshError& error) {
+    throw MeshError(deck.location.text() + ": " + error.what());
+  }
+}
+bool Simulation::has_mesh_file() const { return implementation_->deck().mesh.file.has_value(); }
+
 std::string Simulation::resolved_deck() const {
   return resolved(implementation_->run_case.text, implementation_->registry);
 }

@@ -13,6 +13,12 @@
 
 namespace hawser {
 
+enum class LogDetail {
+  quiet,      ///< what went wrong only
+  steps,      ///< a line per step
+  iterations  ///< and one per Newton iteration and output
+};
+
 /// The cells, the steps or both are 2^level times smaller than the deck's.
 struct RefinedBy {
   Refinement what = Refinement::space;
@@ -23,9 +29,10 @@ struct RunOptions {
   std::string output;  ///< result folder
   std::string plugin_folder;
   std::vector<DeckChange> changes;  ///< of the deck; a restarted run has them in its checkpoint
-  bool force = false;               ///< write over the results of a finished run
-  bool quiet = false;               ///< no progress lines
-  std::optional<double> end;        ///< s, instead of the deck's end
+  bool force = false;               ///< write over the results of another run
+  LogDetail detail = LogDetail::steps;
+  bool log_json = false;      ///< one JSON object per line instead of text
+  std::optional<double> end;  ///< s, instead of the deck's end
   std::optional<RefinedBy> refined{};
 };
 
@@ -44,6 +51,13 @@ class Simulation {
   /// Makes or reads the mesh, builds the system, steps to the end. Returns what summary.json says.
   /// Collective; any Error on all ranks.
   Summary run();
+
+  /// What a run would need: unknowns, memory, mesh quality, Courant number. Makes the mesh in a
+  /// folder of its own, which it removes. Collective.
+  std::string preview();
+  /// Makes the deck's mesh, unless it is a file already, and says what it is like. Collective.
+  std::string make_mesh(const std::string& file);
+  bool has_mesh_file() const;  ///< the deck names one
 
   std::string resolved_deck() const;  ///< XML with every default
 

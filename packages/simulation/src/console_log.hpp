@@ -1,0 +1,37 @@
+#pragma once
+// What a person sees while a run goes on.
+#include <chrono>
+#include <string>
+
+#include "src/run_log.hpp"
+#include "src/terminal.hpp"
+
+namespace hawser {
+
+class ConsoleLog : public RunLog {
+ public:
+  explicit ConsoleLog(LogDetail detail)
+      : detail_(detail), start_(std::chrono::steady_clock::now()) {}
+
+  void note(const std::string& sentence) override;
+  void start(const System& system, const RunDeck& deck, const std::string& folder) override;
+  void solved(const NonlinearReport& report) override;
+  void rejected(double time, double length, const std::string& why) override;
+  void stepped(const StepFigures& figures, double end) override;
+  void wrote(const std::string& what, int step, double time) override;
+  void finish(const System& system, const RunDeck& deck, const Summary& summary) override;
+
+ private:
+  bool tells() const { return detail_ != LogDetail::quiet; }
+  void tow_table(const Summary& summary, const std::string& unit);
+  void expectation(const ExpectDeck& expect, const Summary& summary);
+
+  LogDetail detail_;
+  Terminal terminal_;
+  std::string folder_;
+  std::string norms_;
+  std::chrono::steady_clock::time_point start_;
+  double first_time_ = -1;
+};
+
+}  // namespace hawser

@@ -1,0 +1,75 @@
+#include "src/json_log.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace hawser {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void tell(const Json& event) {
+  const std::string text = event.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::fputs((text + "\n").c_str(), stdout);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+void JsonLog::note(const std::string& sentence) { tell({{"event", "note"}, {"text", sentence}}); }
+
+void JsonLog::start(const System& system, const RunDeck& deck, const std::string& folder) {
+  folder_ = folder;
+  Json modules = Json::array();
+  for (const PhysicsModule& module : system.modules)
+    modules.push_back(module.name);
+  tell({{"event", "start"},
+        {"version", HAWSER_VERSION},
+        {"title", deck.title},
+        {"folder", folder},
+        {"ranks", system.mesh.communicator.size()},
+        {"nodes", system.mesh.vertices.global_count},
+        {"unknowns", system.dofs->global_count()},
+        {"modules", modules},
+        {"time_s", system.integrator->history().time},
+        {"end_s", deck.time.end}});
+}
+
+void JsonLog::solved(const NonlinearReport& report) { newton_ = report; }
+
+void JsonLog::rejected(double time, double length, const std::string& why) {
+  tell({{"event", "rejected"}, {"time_s", time}, {"step_s", length}, {"reason", why}});
+}
+
+void JsonLog::stepped(const StepFigures& figures, double end) {
+  Json residuals = Json::array();
+  if (!newton_.history.empty())
+    for (const BlockNorm& norm : newton_.history.back())
+      residuals.push_back({{"block", norm.block},
+                           {"field", norm.field},
+                           {"residual", norm.residual},
+                           {"unit", norm.unit}});
+  tell({{"event", "step"},
+        {"step", figures.step},
+        {"time_s", figures.time},
+        {"step_s", figures.length},
+        {"end_s", end},
+        {"newton_iterations", figures.newton_iterations},
+        {"linear_iterations", figures.linear_iterations},
+        {"jacobians", newton_.jacobians},
+        {"factorizations", newton_.factorizations},
+        {"residuals", residuals},
+        {"mesh_quality_min", figures.mesh_quality},
+        {"courant_max", figures.courant}});
+}
+
+void JsonLog::wrote(const std::string& what, int step, double time) {
+  tell({{"event", "output"}, {"what", what}, {"step", step}, {"time_s", time}});
+}
+
+void JsonLog::finish(const System& /*system*/, const RunDeck& /*deck*/, const Summary& summary) {
+  tell({{"event", "end"}, {"folder", folder_}, {"summary", Json::parse(summary.json())}});
+}
+
+}  // namespace hawser

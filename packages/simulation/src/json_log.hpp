@@ -1,0 +1,24 @@
+#pragma once
+// The run for programs: one JSON object per line, each with an "event"; numbers in SI, keys end in
+// the unit (doc/running.md lists them).
+
+#include "src/run_log.hpp"
+
+namespace hawser {
+
+class JsonLog : public RunLog {
+ public:
+  void note(const std::string& sentence) override;
+  void start(const System& system, const RunDeck& deck, const std::string& folder) override;
+  void solved(const NonlinearReport& report) override;
+  void rejected(double time, double length, const std::string& why) override;
+  void stepped(const StepFigures& figures, double end) override;
+  void wrote(const std::string& what, int step, double time) override;
+  void finish(const System& system, const RunDeck& deck, const Summary& summary) override;
+
+ private:
+  std::string folder_;
+  NonlinearReport newton_;
+};
+
+}  // namespace hawser

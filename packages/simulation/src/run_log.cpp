@@ -1,0 +1,31 @@
+#include "src/run_log.hpp"
+
+#include "src/console_log.hpp"
+#include "src/json_log.hpp"
+
+namespace hawser {
+namespace {
+
+/// Of a rank that is not to speak.
+class NoLog : public RunLog {
+ public:
+  void note(const std::string& /*sentence*/) override {}
+  void start(const System& /*system*/, const RunDeck& /*deck*/,
+             const std::string& /*folder*/) override {}
+  void solved(const NonlinearReport& /*report*/) override {}
+  void rejected(double /*time*/, double /*length*/, const std::string& /*why*/) override {}
+  void stepped(const StepFigures& /*figures*/, double /*end*/) override {}
+  void wrote(const std::string& /*what*/, int /*step*/, double /*time*/) override {}
+  void finish(const System& /*system*/, const RunDeck& /*deck*/,
+              const Summary& /*summary*/) override {}
+};
+
+}  // namespace
+
+std::unique_ptr<RunLog> make_run_log(const Communicator& communicator, const RunOptions& options) {
+  if (!communicator.is_root()) return std::make_unique<NoLog>();
+  if (options.log_json) return std::make_unique<JsonLog>();
+  return std::make_unique<ConsoleLog>(options.detail);
+}
+
+}  // namespace hawser
