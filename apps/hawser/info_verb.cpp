@@ -22,6 +22,7 @@ std::string short_number(double value) {
 }
 
 std::string plain(const Json& value) {
+  if (value.is_number_float()) return short_number(value.get<double>());
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
@@ -71,9 +72,10 @@ void print_table(const TableContents& table) {
 void print_contents(const std::string& path, const ResultContents& contents) {
   const Json summary = contents.summary ? Json::parse(*contents.summary, nullptr, false) : Json();
   const bool readable = summary.is_object();
-  print(path.c_str(), readable                  ? ": a finished run"
-                      : contents.tables.empty() ? ": a checkpoint"
-                                                : ": an unfinished run");
+  const char* const kind = readable                  ? "a finished run"
+                           : contents.tables.empty() ? "a checkpoint"
+                                                     : "an unfinished run";
+  std::printf("%s: %s\n", path.c_str(), kind);
   if (readable && summary.contains("title")) print("title", plain(summary["title"]));
   if (readable && summary.contains("provenance")) print_provenance(summary["provenance"]);
   if (contents.checkpoint) {

@@ -114,7 +114,9 @@ Verb run_verb(CLI::App& app) {
             };
             if (arguments->dry_run) return preview(world, simulation());
             if (options.output.empty())
-              throw Error(ExitCode::usage, "where to? Give a folder for the results: -o FOLDER");
+              throw Error(ExitCode::usage,
+                          "where to? Give a folder for the results: -o FOLDER\n"
+                          "Run with --help for more information.");
             return told(world, *arguments, [&] { return simulation().run(); });
           })};
 }

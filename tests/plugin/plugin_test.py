@@ -3,6 +3,7 @@
 python3 tests/plugin/plugin_test.py BUILD_FOLDER PLUGIN_FOLDER
 """
 import json
+import shutil
 import subprocess
 import sys
 import unittest
@@ -13,10 +14,26 @@ BUILD, PLUGINS = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 SCRATCH = BUILD / "tests/run/plugin"
 
 
-def hawser(ranks, *arguments):
+def hawser(ranks, *arguments, folder=PLUGINS, cwd=None):
     command = ["mpirun", "-np", str(ranks), "--oversubscribe", "--bind-to", "none",
-               str(BUILD / "bin/hawser"), *map(str, arguments), "--plugin-dir", str(PLUGINS)]
-    return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+               str(BUILD / "bin/hawser"), *map(str, arguments)]
+    if folder is not None:
+        command += ["--plugin-dir", str(folder)]
+    return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, cwd=cwd)
+
+
+def plugins_of(name, **files):
+    """A folder of plug-ins: copies of those there are, or texts."""
+    folder = SCRATCH / name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    folder.chmod(0o755)
+    for plugin, content in files.items():
+        if content is None:
+            shutil.copy(PLUGINS / f"{plugin}.so", folder)
+        else:
+            (folder / f"{plugin}.so").write_text(content)
+    return folder
 
 
 def run_heat(ranks):
@@ -50,10 +67,10 @@ class Heat(unittest.TestCase):
 
 
 class UnfitPlugin(unittest.TestCase):
-    def refused(self, plugin, sentence):
+    def refused(self, plugin, sentence, ranks=2, **options):
         deck = deck_with(plugin)
         line = 1 + deck.read_text().split("<plugin")[0].count("\n")
-        done = hawser(2, "check", deck)
+        done = hawser(ranks, "check", deck, **options)
         self.assertEqual(done.returncode, 5, done.stderr)
         complaint = done.stderr.splitlines()[0]
         self.assertRegex(complaint, f"unfit.xml:{line}:[0-9]+: plug-in '{plugin}'")
@@ -68,8 +85,54 @@ class UnfitPlugin(unittest.TestCase):
     def test_without_the_symbols(self):
         self.refused("mute", "it is not a Hawser plug-in")
 
+    def test_of_another_build_that_lacks_symbols_here(self):
+        self.refused("foreign_unlinked", "was built for hawser-abi-0/gcc-4.0.0, this program is hawser-abi-")
+
+    def test_that_lacks_a_library(self):
+        self.refused("unlinked", "cannot be loaded: ")
+        self.refused("unlinked", "of_a_library_that_is_not_linked", ranks=1)
+
+    def test_whose_start_throws(self):
+        self.refused("thrower", "failed while it registered its modules: no licence server")
+        self.refused("number_thrower", "failed while it registered its modules: it threw something")
+
+    def test_that_is_no_library(self):
+        self.refused("diary", "cannot be loaded: ", folder=plugins_of("no_library", diary="Dear diary"))
+
     def test_outside_of_the_folder(self):
         self.refused("../heat", "give the bare name")
+        self.refused("/etc/heat", "give the bare name")
+
+    def test_in_the_working_folder(self):
+        """Only the installation's folder or --plugin-dir count."""
+        self.refused("heat", f"not found: there is no {BUILD}/lib/hawser/plugins/heat.so", folder=None, cwd=PLUGINS)
+
+    def test_that_everybody_may_write(self):
+        folder = plugins_of("writable", heat=None)
+        self.assertEqual(hawser(1, "check", HERE / "heat.xml", folder=folder).returncode, 0)
+        (folder / "heat.so").chmod(0o757)
+        self.refused("heat", f"everybody may write {folder}/heat.so", folder=folder)
+        (folder / "heat.so").chmod(0o755)
+        folder.chmod(0o757)
+        self.refused("heat", f"everybody may write {folder};", folder=folder)
+
+    def test_twice(self):
+        folder = plugins_of("twice", heat=None)
+        shutil.copy(folder / "heat.so", folder / "heat_again.so")
+        deck = SCRATCH / "twice.xml"
+        deck.write_text((HERE / "heat.xml").read_text().replace('<plugin name="heat"/>',
+                                                                '<plugin name="heat"/><plugin name="heat_again"/>'))
+        done = hawser(2, "check", deck, folder=folder)
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("two modules want the tag <heat>", done.stderr.splitlines()[0])
+
+
+class Verbs(unittest.TestCase):
+    def test_know_plugins(self):
+        self.assertNotIn("heat", hawser(1, "modules").stdout)
+        self.assertRegex(hawser(2, "modules", "--plugin", "heat").stdout, "heat +Heat carried by the flow and conducted")
+        self.assertIn("conductivity", hawser(1, "describe", "heat", "--plugin", "heat").stdout)
+        self.assertEqual(hawser(1, "modules", "--plugin", "heet").returncode, 5)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #include "hawser/simulation/plugin_loader.hpp"
 
 #include <dlfcn.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -8,35 +9,74 @@
 #include "hawser/physics/abi.hpp"
 
 namespace hawser {
+namespace {
+
+/// What one may write everybody may write: it would run whatever others put there.
+bool everybody_may_write(const std::string& path) {
+  struct stat status = {};
+  return stat(path.c_str(), &status) == 0 && (status.st_mode & S_IWOTH) != 0;
+}
+
+/// The library's file; nothing of it is loaded yet.
+std::string find_plugin(const std::string& name, const std::string& folder) {
+  const std::string plugin = "plug-in '" + name + "'";
+  if (name.empty() || name.find('/') != std::string::npos || name.find("..") != std::string::npos)
+    throw PluginError(plugin + ": give the bare name; plug-ins are loaded from " + folder +
+                      " only");
+  if (folder.empty())
+    throw PluginError(plugin + ": --plugin-dir is empty; give a folder, . for this one");
+  const std::string path = folder + "/" + name + ".so";
+  std::error_code none;
+  if (!std::filesystem::exists(path, none))
+    throw PluginError(plugin + " not found: there is no " + path);
+  for (const std::string& place : {folder, path})
+    if (everybody_may_write(place))
+      throw PluginError(plugin + " is not loaded: everybody may write " + place +
+                        "; chmod o-w makes it safe");
+  return path;
+}
+
+using Stamp = const char* (*)();
+using Register = void (*)(ModuleRegistry&);
+
+void require_fitting(const std::string& plugin, Stamp stamp) {
+  if (std::string(stamp()) != HAWSER_ABI_STAMP)
+    throw PluginError(plugin + " was built for " + stamp() + ", this program is " +
+                      HAWSER_ABI_STAMP + "; build it again");
+}
+
+/// Symbols stay local: two plug-ins may use the same names. Never closed: modules live in it.
+void* open_library(const std::string& plugin, const std::string& path) {
+  if (void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
+  const std::string why = dlerror();
+  // One of another build may lack symbols here; its stamp, which needs none, says so more clearly.
+  if (void* const library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL))
+    if (const auto stamp = reinterpret_cast<Stamp>(dlsym(library, "hawser_plugin_stamp")))
+      require_fitting(plugin, stamp);
+  throw PluginError(plugin + " cannot be loaded: " + why);
+}
+
+}  // namespace
 
 void load_plugin(const std::string& name, const std::string& folder, ModuleRegistry& registry) {
-  if (name.find('/') != std::string::npos || name.find("..") != std::string::npos)
-    throw PluginError("plug-in '" + name + "': give the bare name; plug-ins are loaded from " +
-                      folder + " only");
-  const std::string path = folder + "/" + name + ".so";
-  if (!std::filesystem::exists(path))
-    throw PluginError("plug-in '" + name + "' not found: there is no " + path);
-  // Symbols stay local: two plug-ins may use the same names. Never closed: modules live in it.
-  void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr)
-    throw PluginError("plug-in '" + name + "' cannot be loaded: " + dlerror());
-  using Stamp = const char* (*)();
-  using Register = void (*)(ModuleRegistry&);
+  const std::string plugin = "plug-in '" + name + "'";
+  const std::string path = find_plugin(name, folder);
+  void* const library = open_library(plugin, path);
   const auto stamp = reinterpret_cast<Stamp>(dlsym(library, "hawser_plugin_stamp"));
   const auto fill = reinterpret_cast<Register>(dlsym(library, "hawser_plugin_register"));
   if (stamp == nullptr || fill == nullptr)
-    throw PluginError("plug-in '" + name + "' (" + path +
+    throw PluginError(plugin + " (" + path +
                       ") exports no HAWSER_PLUGIN(registry) {...}: it is not a Hawser plug-in");
-  if (std::string(stamp()) != HAWSER_ABI_STAMP)
-    throw PluginError("plug-in '" + name + "' was built for " + stamp() + ", this program is " +
-                      HAWSER_ABI_STAMP + "; build it again");
+  require_fitting(plugin, stamp);
+  const std::string failed = plugin + " failed while it registered its modules: ";
   try {
     fill(registry);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    throw PluginError("plug-in '" + name +
-                      "' failed while it registered its modules: " + error.what());
+    throw PluginError(failed + error.what());
+  } catch (...) {
+    throw PluginError(failed + "it threw something that is no std::exception");
   }
 }
 

@@ -179,6 +179,7 @@ struct Simulation::Implementation {
     timings.set("output_s", record->seconds());
     summary.set("wall_s", setup_watch.seconds() + run_watch.seconds());
     add_provenance(communicator, summary);
+    summary.object("provenance").set("deck", run_case.text.file);
     check_expectations(deck(), summary);
     summary.write(communicator, folder.file("summary.json"));
     log->finish(*system, deck(), summary);
