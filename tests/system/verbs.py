@@ -7,7 +7,7 @@ import subprocess
 
 from harness import BUILD, DECKS, ENVIRONMENT, SCRATCH, Results, SystemTest, completed, edited, fresh, hawser, main
 
-VERBS = "run", "restart", "check", "mesh", "info", "modules", "describe"
+VERBS = "run", "restart", "check", "mesh", "info", "modules", "describe", "converge"
 CUT = dict(newton_max_iterations="4", time_end="60", output_checkpoint_every="2")  # some steps are rejected
 
 
