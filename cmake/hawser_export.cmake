@@ -13,3 +13,8 @@ export(EXPORT HawserTargets NAMESPACE hawser:: FILE HawserTargets.cmake)
 install(EXPORT HawserTargets NAMESPACE hawser:: DESTINATION ${destination})
 install(FILES ${PROJECT_BINARY_DIR}/HawserConfig.cmake ${PROJECT_BINARY_DIR}/HawserConfigVersion.cmake
   cmake/dependencies.cmake cmake/hawser_plugin.cmake DESTINATION ${destination})
+
+# What a person looks for beside the program.
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY inputs DESTINATION ${CMAKE_INSTALL_DATADIR}/hawser)
+install(PROGRAMS apps/figures/cable_figure.py DESTINATION ${CMAKE_INSTALL_DATADIR}/hawser/figures)

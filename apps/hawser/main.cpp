@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "hawser/base/error.hpp"
+#include "man_page.hpp"
 #include "verb.hpp"
 
 namespace {
@@ -76,6 +77,10 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", HAWSER_VERSION);
   app.require_subcommand(1);
   app.footer("hawser VERB --help says more about each, with an example. Manual: man hawser");
+  // For the build, which installs what it prints; no group: not in the help.
+  app.add_flag_callback(
+         "--man", [&app] { throw CLI::CallForVersion(man_page(app), 0); }, "print the manual page")
+      ->group("");
   std::vector<Verb> verbs;
   for (const auto& group : {run_verbs, converge_verbs, info_verbs, deck_verbs})
     for (Verb& verb : group(app))

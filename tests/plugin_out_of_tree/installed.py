@@ -1,0 +1,107 @@
+"""Installs Hawser into a scratch prefix, follows doc/write_a_module.md word for word with it, and tries what else is
+installed: the manual page and the completion.
+
+python3 tests/plugin_out_of_tree/installed.py --build build
+"""
+import json
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "system"))
+from harness import BUILD, ENVIRONMENT, ROOT, SCRATCH, SystemTest, main
+
+TUTORIAL = (ROOT / "doc/write_a_module.md").read_text()
+PREFIX = SCRATCH / "hawser"
+SPACE = SCRATCH / "my_heat"
+
+
+def blocks():
+    """The page's blocks in order: kind, text, and the name of the file that the line before gives."""
+    for found in re.finditer(r"(?:^`([\w.]+)`[^\n]*:\n\n)?^```(\w+)\n(.*?)^```", TUTORIAL, re.S | re.M):
+        yield found.group(2), found.group(3), found.group(1)
+
+
+def shell(script, folder=None):
+    environment = {**ENVIRONMENT, "HOME": str(SCRATCH), "OMPI_MCA_rmaps_base_oversubscribe": "1",
+                   "OMPI_MCA_hwloc_base_binding_policy": "none"}
+    return subprocess.run(["bash", "-ec", script], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, timeout=600)
+
+
+class Tutorial(SystemTest):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(SCRATCH, ignore_errors=True)
+        SCRATCH.mkdir(parents=True)
+        script, cls.files = [], {}
+        for kind, text, name in blocks():
+            if kind == "sh":
+                script.append(text)
+            elif name:
+                cls.files[name] = text
+                script.append(f"cp {SCRATCH}/{name} .\n")
+        for name, text in cls.files.items():
+            (SCRATCH / name).write_text(text)
+        # The reader stands in Hawser's folder, whose build folder may be elsewhere here.
+        cls.script = "".join(script).replace("cmake --install build --prefix", f"cmake --install {BUILD} --prefix", 1)
+        cls.done = shell(cls.script, ROOT)
+
+    def test_every_step_works_as_pasted(self):
+        self.assertEqual(self.done.returncode, 0, self.script + self.done.stdout[-3000:] + self.done.stderr[-3000:])
+        self.assertIn("heat.xml: no faults", self.done.stdout)
+        self.assertRegex(self.done.stdout, r"expected upper_temperature_k = 303 within 1e-08: holds")
+        self.assertTrue((PREFIX / "lib/hawser/plugins/heat.so").exists())
+
+    def test_the_installed_program_and_plugin_give_the_exact_answer_on_1_and_2_ranks(self):
+        for ranks in 1, 2:
+            done = shell(f"mpirun -np {ranks} {PREFIX}/bin/hawser run heat.xml -q -f -o np{ranks}", SPACE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            summary = json.loads((SPACE / f"np{ranks}/summary.json").read_text())
+            self.assertEqual(summary["provenance"]["ranks"], ranks)
+            self.assertAlmostEqual(summary["upper_temperature_k"], 303, delta=1e-8)  # round-off of 80 steps
+
+    def test_the_page_shows_what_the_tests_build(self):
+        self.assertEqual(set(self.files), {"heat.cpp", "heat.xml", "CMakeLists.txt"})
+        for name in "heat.cpp", "heat.xml":
+            self.assertEqual(self.files[name], (ROOT / "tests/plugin" / name).read_text())
+
+    def test_nothing_of_the_tests_is_installed(self):
+        self.assertEqual([path.name for path in (PREFIX / "lib/hawser/plugins").iterdir()], ["heat.so"])
+        libraries = shell(f"ldd {PREFIX}/bin/hawser").stdout
+        self.assertNotIn("not found", libraries)
+        self.assertNotIn(str(BUILD / "lib"), libraries)
+
+    def verbs(self):
+        return re.findall(r"^  (\w+) ", shell(f"{PREFIX}/bin/hawser --help").stdout.split("Subcommands:")[1], re.M)
+
+    def test_manual_page(self):
+        page = PREFIX / "share/man/man1/hawser.1"
+        self.assertEqual(shell(f"groff -man -Tutf8 -ww -z {page}").stderr, "")
+        text = shell(f"groff -man -Tascii -P-cbou {page}").stdout
+        self.assertGreater(len(self.verbs()), 6)
+        for verb in self.verbs():
+            self.assertIn(f"hawser {verb}", text)
+            for option in re.findall(r"(?<= |,)--[a-z-]+", shell(f"{PREFIX}/bin/hawser {verb} --help").stdout):
+                self.assertIn(option, text)
+
+    def completed_words(self, *words):
+        return shell(f"""set +e; PATH={PREFIX}/bin:$PATH
+            . {PREFIX}/share/bash-completion/completions/hawser
+            COMP_WORDS=({' '.join(f"'{word}'" for word in words)}); COMP_CWORD={len(words) - 1}
+            _hawser; printf '%s\\n' "${{COMPREPLY[@]}}" """, SPACE).stdout.split()
+
+    def test_completion(self):
+        self.assertEqual(set(self.completed_words("hawser", "")), {*self.verbs(), "--help", "--version"})
+        self.assertEqual(self.completed_words("hawser", "rest"), ["restart"])
+        self.assertEqual(self.completed_words("hawser", "run", "--log"), ["--log-json"])
+        self.assertEqual(self.completed_words("hawser", "run", "h"), ["heat.xml"])
+        self.assertEqual(self.completed_words("hawser", "describe", "ca"), ["cable"])
+        self.assertIn("build", self.completed_words("hawser", "run", "heat.xml", "-o", "b"))
+
+
+if __name__ == "__main__":
+    main()
