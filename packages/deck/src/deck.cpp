@@ -11,36 +11,32 @@
 namespace hawser {
 namespace {
 
-/// What went wrong, or "". On rank 0.
-std::string read_text(const std::string& file, std::string& text) {
+std::optional<std::string> read_text(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   // One byte more than allowed, so that parse_deck sees that it is too much.
-  text.resize(deck_size_limit + 1);
+  std::string text(deck_size_limit + 1, '\0');
   const bool opened = stream.is_open();
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
-  return !opened || stream.bad() ? "the deck cannot be read" : "";
+  if (!opened || stream.bad()) return std::nullopt;
+  return text;
 }
 
 class Reader {
  public:
-  Reader(const Communicator& communicator, const DeckLanguage& language, Diagnostics& diagnostics)
-      : communicator_(communicator), language_(language), diagnostics_(diagnostics) {}
+  Reader(const DeckFiles& files, const DeckLanguage& language, Diagnostics& diagnostics)
+      : files_(files), language_(language), diagnostics_(diagnostics) {}
 
   /// `written_at`: the attribute that names the file; null for the first one.
   DeckNode read(const std::string& file, const Location* written_at) {
     open_.push_back(std::filesystem::path(file).lexically_normal().string());
-    std::string text;
-    communicator_.on_root([&] {
-      const std::string fault = read_text(file, text);
-      if (fault.empty()) return;
+    const std::optional<std::string> text = files_(file);
+    if (!text)
       throw DeckError(written_at == nullptr
-                          ? file + ": " + fault
+                          ? file + ": the deck cannot be read"
                           : written_at->text() + ": the deck to extend cannot be read: " + file);
-    });
-    text = communicator_.broadcast(text);
-    if (written_at == nullptr) first_text_ = text;
-    DeckNode root = parse_xml(text, file, diagnostics_);
+    if (written_at == nullptr) first_text_ = *text;
+    DeckNode root = parse_xml(*text, file, diagnostics_);
     if (const DeckAttribute* const extends = root.find_attribute("extends")) {
       has_bases_ = true;
       DeckNode base = read_base(file, root.tag, *extends);
@@ -84,7 +80,7 @@ class Reader {
   }
 
   static constexpr std::size_t depth_limit = 32;
-  const Communicator& communicator_;
+  const DeckFiles& files_;
   const DeckLanguage& language_;
   Diagnostics& diagnostics_;
   std::vector<std::string> open_;  // from the first deck to the one being read
@@ -112,10 +108,10 @@ Deck parse_deck(const std::string& text, const std::string& file, Diagnostics& d
   return deck;
 }
 
-Deck read_deck(const Communicator& communicator, const std::string& file,
+Deck read_deck(const DeckFiles& files, const std::string& file,
                const std::vector<DeckChange>& changes, const DeckLanguage& language,
                Diagnostics& diagnostics) {
-  Reader reader(communicator, language, diagnostics);
+  Reader reader(files, language, diagnostics);
   Deck deck{file, "", reader.read(file, nullptr)};
   deck.text = reader.first_text();
   for (const DeckChange& change : changes)
@@ -123,6 +119,18 @@ Deck read_deck(const Communicator& communicator, const std::string& file,
   if (reader.has_bases() || !changes.empty()) deck.text = deck_text(deck.root);
   define_parameters(deck.root, diagnostics);
   return deck;
+}
+
+Deck read_deck(const Communicator& communicator, const std::string& file,
+               const std::vector<DeckChange>& changes, const DeckLanguage& language,
+               Diagnostics& diagnostics) {
+  const DeckFiles files = [&](const std::string& name) {
+    std::optional<std::string> text;
+    if (communicator.is_root()) text = read_text(name);
+    const std::string known = communicator.broadcast(text ? "+" + *text : "-");
+    return known[0] == '+' ? std::optional<std::string>(known.substr(1)) : std::nullopt;
+  };
+  return read_deck(files, file, changes, language, diagnostics);
 }
 
 Deck read_deck(const Communicator& communicator, const std::string& file,

@@ -3,23 +3,10 @@
 
 #include "hawser/deck/node_spec.hpp"
 #include "hawser/deck/spec_reader.hpp"
+#include "src/describe.hpp"
 
 namespace hawser {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
-    }
-  }
-  return result;
-}
 
 class Writer {
  public:
@@ -29,7 +16,7 @@ class Writer {
   void write(const DeckNode& node, const NodeSpec* spec, const std::string& indent) {
     std::string start = indent + "<" + node.tag, given;
     for (const auto& [name, value] : attributes(node, spec)) {
-      start += " " + name + "=\"" + escaped(value) + "\"";
+      start += " " + name + "=\"" + xml_escaped(value) + "\"";
       const DeckAttribute* const written = node.find_attribute(name);
       if (written && on_one_line(written->value) != value)
         given += " " + name + "=\"" + on_one_line(written->value) + "\"";

@@ -25,6 +25,7 @@ std::string Rules::range_text() const {
   for (const NumberCheck& check : numbers)
     append(check.text);
   if (!words.empty()) append("one of " + listed(words));
+  if (is_any && result.empty()) append("any");
   const std::string least = std::to_string(least_length);
   if (greatest_length == least_length)
     append(least + (least_length == 1 ? " value" : " values"));
@@ -37,6 +38,8 @@ std::string Rules::range_text() const {
 
 Rules operator&&(Rules a, const Rules& b) {
   a.is_required = a.is_required || b.is_required;
+  a.is_any = a.is_any || b.is_any;
+  if (a.absent.empty()) a.absent = b.absent;
   a.numbers.insert(a.numbers.end(), b.numbers.begin(), b.numbers.end());
   a.words.insert(a.words.end(), b.words.begin(), b.words.end());
   a.least_length = std::max(a.least_length, b.least_length);
@@ -47,6 +50,18 @@ Rules operator&&(Rules a, const Rules& b) {
 Rules required() {
   Rules rules;
   rules.is_required = true;
+  return rules;
+}
+
+Rules any() {
+  Rules rules;
+  rules.is_any = true;
+  return rules;
+}
+
+Rules absent(const std::string& meaning) {
+  Rules rules;
+  rules.absent = meaning;
   return rules;
 }
 

@@ -5,10 +5,12 @@
 namespace hawser {
 
 DeckLanguage deck_language(const ModuleRegistry& registry) {
-  return {RunDeck::spec().node_spec(), [&registry](const std::string& tag) {
+  return {RunDeck::spec().node_spec(),
+          [&registry](const std::string& tag) {
             const ModuleRegistry::Entry* const entry = registry.find(tag);
             return entry == nullptr ? nullptr : &entry->spec;
-          }};
+          },
+          registry.tags()};
 }
 
 }  // namespace hawser

@@ -15,10 +15,11 @@ struct AttributeSpec {
   std::string type;          ///< "number", "whole number", "text", …
   std::string unit;          ///< "kg/m^3"; "1" for a plain number; empty for texts
   std::string default_text;  ///< as it would be written; empty: required, or absent unless given
-  std::string range;         ///< "> 0"; empty when anything goes
-  std::string meaning;       ///< one sentence
+  std::string range;    ///< "> 0"; "any" when anything goes; empty where there is nothing to say
+  std::string meaning;  ///< one sentence
   std::vector<std::string> choices;  ///< when only certain words are allowed
   bool is_required = false;
+  std::string absent = {};  ///< what it means to leave it out, when there is no default
   /// What the text amounts to, as plain numbers in `unit`; empty for texts. A faulty text is
   /// returned as it is.
   std::function<std::string(const Reading&)> resolve = {};
@@ -31,6 +32,7 @@ struct NodeSpec {
   std::string meaning;
   std::vector<AttributeSpec> attributes;
   std::vector<ChildSpec> children;
+  std::string source = {};    ///< where its formulas come from: a page of the documentation
   std::string open_children;  ///< not empty: children that a table knows are allowed too
 
   /// The attribute that tells repeated elements apart, where decks are extended or changed: the
@@ -49,7 +51,8 @@ struct ChildSpec {
 /// none.
 using SpecLookup = std::function<const NodeSpec*(const std::string& tag)>;
 
-/// For people: every attribute and child with type, unit, default, range and meaning.
+/// For people: every attribute and child with type, unit, default, range and meaning. manual.hpp
+/// has more of the kind.
 std::string describe(const NodeSpec& spec);
 
 /// The deck that `node` amounts to, as XML: every value as a plain number in its attribute's unit

@@ -7,6 +7,8 @@
 //     attribute NodeSpec::key(), such as `name`; without a key it is a new one;
 //   - attributes given replace those of the base, elements that match none are added;
 //   - remove="true" takes the element away.
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,13 +31,22 @@ DeckChange read_change(const std::string& text);
 /// What a deck may hold: the specs of its elements.
 struct DeckLanguage {
   NodeSpec root;
-  SpecLookup open_children;  ///< by tag, as resolved_deck takes them; may be empty
+  SpecLookup open_children;            ///< by tag, as resolved_deck takes them; may be empty
+  std::vector<std::string> open_tags;  ///< those that open_children is known to find
 };
+
+/// The text of a file; none when it cannot be read.
+using DeckFiles = std::function<std::optional<std::string>(const std::string& file)>;
 
 /// Reads `file` and what it extends on rank 0 and gives the same deck to every rank. Collective.
 /// Errors as the simpler read_deck(); in a merged deck every value keeps the place where it was
 /// written, and Deck::text is the merged deck, which needs no other file.
 Deck read_deck(const Communicator& communicator, const std::string& file,
+               const std::vector<DeckChange>& changes, const DeckLanguage& language,
+               Diagnostics& diagnostics);
+
+/// The same on one rank, with the files' texts from anywhere.
+Deck read_deck(const DeckFiles& files, const std::string& file,
                const std::vector<DeckChange>& changes, const DeckLanguage& language,
                Diagnostics& diagnostics);
 

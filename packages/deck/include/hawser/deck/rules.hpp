@@ -14,6 +14,8 @@ struct Rules {
   };
 
   bool is_required = false;
+  bool is_any = false;  ///< said outright: there is no bound
+  std::string absent;   ///< what it means to leave the attribute out, when it has no default
   std::vector<NumberCheck> numbers;  ///< for every number of the value
   std::vector<std::string> words;    ///< when not empty, the words allowed
   int least_length = 1;              ///< of lists
@@ -25,6 +27,8 @@ struct Rules {
 Rules operator&&(Rules a, const Rules& b);
 
 Rules required();
+Rules any();                               ///< there is no bound
+Rules absent(const std::string& meaning);  ///< leaving it out means this; it has no default
 Rules positive();
 Rules non_negative();
 Rules greater_than(double bound);

@@ -101,6 +101,12 @@ class Spec {
   template <class Owner>
   Spec&& any_children(std::vector<DeckNode> Owner::*member, const std::string& kind) &&;
 
+  /// Where the formulas behind the parameters are written down, such as "doc/numerics.md".
+  Spec&& source(const std::string& page) && {
+    source_ = page;
+    return std::move(*this);
+  }
+
   /// The member receives the place of the element itself.
   template <class Owner>
   Spec&& location(Location Owner::*member) &&;
@@ -136,7 +142,7 @@ class Spec {
     std::function<ChildSpec(const P&)> describe;
   };
 
-  std::string tag_, meaning_, open_kind_;
+  std::string tag_, meaning_, source_, open_kind_;
   std::vector<Attribute> attributes_;
   std::vector<Child> children_;
   std::function<void(const DeckNode&, P&)> take_open_child_;

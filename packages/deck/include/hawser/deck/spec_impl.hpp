@@ -11,8 +11,8 @@ template <class T, class Owner>
 Spec<P>&& Spec<P>::attribute(const std::string& name, T Owner::*member, const std::string& unit,
                              const Rules& rules, const std::string& meaning) && {
   Attribute attribute;
-  attribute.spec = {name,        type_name(T{}),   unit, "", rules.range_text(), meaning,
-                    rules.words, rules.is_required};
+  attribute.spec = {name,        type_name(T{}),    unit,        "", rules.range_text(), meaning,
+                    rules.words, rules.is_required, rules.absent};
   if constexpr (IsNumeric<T>::value)
     attribute.spec.resolve = [](const Reading& reading) {
       T value{};
@@ -36,7 +36,7 @@ Spec<P>&& Spec<P>::choice(const std::string& name, T Owner::*member, const Rules
                           std::vector<std::pair<std::string, T>> words,
                           const std::string& meaning) && {
   Attribute attribute;
-  attribute.spec = {name, "choice", "", "", "", meaning, {}, rules.is_required};
+  attribute.spec = {name, "choice", "", "", "", meaning, {}, rules.is_required, rules.absent};
   for (const auto& word : words)
     attribute.spec.choices.push_back(word.first);
   attribute.spec.range = "one of " + listed(attribute.spec.choices);
@@ -155,6 +155,7 @@ NodeSpec Spec<P>::node_spec(const P& defaults) const {
   NodeSpec result;
   result.tag = tag_;
   result.meaning = meaning_;
+  result.source = source_;
   result.open_children = open_kind_;
   for (const Attribute& attribute : attributes_) {
     result.attributes.push_back(attribute.spec);
