@@ -2,7 +2,9 @@
 #include <cstdio>
 
 #include "hawser/base/error.hpp"
-#include "hawser/simulation/deck_parameters.hpp"
+#include "hawser/deck/manual.hpp"
+#include "hawser/simulation/deck_language.hpp"
+#include "hawser/simulation/deck_templates.hpp"
 #include "hawser/simulation/plugin_loader.hpp"
 #include "known_modules.hpp"
 #include "verb.hpp"
@@ -11,41 +13,30 @@ namespace hawser::program {
 namespace {
 
 struct Arguments {
-  std::string tag;
+  std::string what;
   std::vector<std::string> plugins;
   std::string plugin_folder = default_plugin_folder();
+  bool markdown = false;
 };
 
 std::shared_ptr<Arguments> new_arguments(CLI::App& verb) {
   auto arguments = std::make_shared<Arguments>();
-  verb.add_option("--plugin", arguments->plugins, "plug-in to count in, by name; repeatable")
+  verb.add_option("--plugin", arguments->plugins,
+                  "plug-in whose modules are known, too; repeatable")
       ->allow_extra_args(false);
   verb.add_option("--plugin-dir", arguments->plugin_folder, "folder that plug-ins are loaded from");
   return arguments;
 }
 
-ModuleRegistry modules_of(const Arguments& arguments) {
+ModuleRegistry known_modules(const Arguments& arguments) {
   ModuleRegistry registry = built_in_modules();
-  for (const std::string& plugin : arguments.plugins)
-    load_plugin(plugin, arguments.plugin_folder, registry);
+  for (const std::string& name : arguments.plugins)
+    load_plugin(name, arguments.plugin_folder, registry);
   return registry;
 }
 
-int list_modules(const Arguments& arguments) {
-  const ModuleRegistry registry = modules_of(arguments);
-  for (const std::string& tag : registry.tags())
-    std::printf("%-14s %s\n", tag.c_str(), registry.find(tag)->spec.meaning.c_str());
-  return 0;
-}
-
-int describe_module(const Arguments& arguments) {
-  const ModuleRegistry registry = modules_of(arguments);
-  const std::string& tag = arguments.tag;
-  const ModuleRegistry::Entry* const module = registry.find(tag);
-  if (module == nullptr && !tag.empty())
-    throw Error(ExitCode::usage, "there is no module '" + tag + "'; there are " +
-                                     listed(registry.tags()) + did_you_mean(tag, registry.tags()));
-  std::fputs(describe(module ? module->spec : RunDeck::spec().node_spec()).c_str(), stdout);
+int print(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
   return 0;
 }
 
@@ -53,19 +44,65 @@ Verb modules_verb(CLI::App& app) {
   auto* verb = app.add_subcommand("modules", "list the physics modules");
   verb->footer("Example: hawser modules --plugin heat");
   const auto arguments = new_arguments(*verb);
-  return {verb, Alone([arguments] { return list_modules(*arguments); })};
+  return {verb, Alone([arguments] {
+            const ModuleRegistry registry = known_modules(*arguments);
+            for (const std::string& tag : registry.tags())
+              std::printf("%-14s %s\n", tag.c_str(), registry.find(tag)->spec.meaning.c_str());
+            return 0;
+          })};
 }
 
 Verb describe_verb(CLI::App& app) {
-  auto* verb = app.add_subcommand("describe", "describe a module's parameters, or all of a deck");
-  verb->footer("Example: hawser describe ale-fluid");
+  auto* verb = app.add_subcommand("describe", "describe a deck, or what is at a path in it");
+  verb->footer("Examples: hawser describe ale-fluid; hawser describe time/step");
   const auto arguments = new_arguments(*verb);
-  verb->add_option("module", arguments->tag, "tag of a module");
-  return {verb, Alone([arguments] { return describe_module(*arguments); })};
+  verb->add_option("path", arguments->what,
+                   "path, element, attribute or module: solver/newton, cable");
+  verb->add_flag("--markdown", arguments->markdown, "all of it, as doc/deck_reference.md");
+  return {verb, Alone([arguments] {
+            const ModuleRegistry registry = known_modules(*arguments);
+            const DeckLanguage language = deck_language(registry);
+            return print(arguments->markdown ? deck_reference(language)
+                                             : describe(language, arguments->what));
+          })};
+}
+
+Verb schema_verb(CLI::App& app) {
+  auto* verb =
+      app.add_subcommand("schema", "print the XML Schema of decks, for editors and xmllint");
+  verb->footer("Example: hawser schema --plugin heat > deck.xsd");
+  const auto arguments = new_arguments(*verb);
+  return {verb, Alone([arguments] {
+            const ModuleRegistry registry = known_modules(*arguments);
+            return print(schema(deck_language(registry)));
+          })};
+}
+
+int print_template(const std::string& name) {
+  std::vector<std::string> names;
+  std::string list = "hawser new NAME > my.xml, where NAME is one of\n";
+  for (const DeckTemplate& known : deck_templates()) {
+    if (known.name == name) return print(known.text);
+    names.push_back(known.name);
+    list += "  " + known.name + "  " + known.summary() + "\n";
+  }
+  if (name.empty()) return print(list);
+  throw Error(ExitCode::usage, "there is no template '" + name + "'; there are " + listed(names) +
+                                   did_you_mean(name, names));
+}
+
+Verb new_verb(CLI::App& app) {
+  auto* verb = app.add_subcommand("new", "print a commented deck to begin with");
+  verb->footer("Example: hawser new tow > my.xml");
+  const auto name = std::make_shared<std::string>();
+  verb->add_option("template", *name, "its name; without one, the names are listed");
+  return {verb, Alone([name] { return print_template(*name); })};
 }
 
 }  // namespace
 
-std::vector<Verb> deck_verbs(CLI::App& app) { return {modules_verb(app), describe_verb(app)}; }
+std::vector<Verb> deck_verbs(CLI::App& app) {
+  return {modules_verb(app), describe_verb(app), schema_verb(app), new_verb(app)};
+}
 
 }  // namespace hawser::program

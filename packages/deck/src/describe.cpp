@@ -71,14 +71,14 @@ std::string without_keys(const std::string& path) {
   return result;
 }
 
-/// What is at the path; else every place of that name.
+/// What is at the path; else every element of that name; else every attribute.
 std::vector<Place> find_places(const std::vector<Place>& all, const std::string& path) {
-  std::vector<Place> result;
-  for (const Place& place : all)
+  std::vector<Place> elements, attributes;
+  for (const Place& place : all) {
     if (place.path == path) return {place};
-  for (const Place& place : all)
-    if (place.name() == path) result.push_back(place);
-  return result;
+    if (place.name() == path) (place.attribute ? attributes : elements).push_back(place);
+  }
+  return elements.empty() ? attributes : elements;
 }
 
 std::string describe(const Place& place, const DeckLanguage& language) {
@@ -160,8 +160,8 @@ std::string describe(const DeckLanguage& language, const std::string& path) {
                                                                            : place.path);
   if (found.empty())
     throw Error(ExitCode::usage, "a deck has nothing called " + quoted(path) +
-                                     did_you_mean(wanted, names) +
-                                     "; hawser describe lists all there is");
+                                     "; hawser describe lists all there is" +
+                                     did_you_mean(wanted, names));
   std::string text = "there are several, at these paths:\n";
   for (const std::string& name : names)
     text += "  " + name + "\n";

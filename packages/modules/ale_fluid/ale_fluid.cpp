@@ -24,7 +24,7 @@ struct Outflow {
                 "What the outside does: \"pressure\" is t = -p0 n + mu (grad v)^T n, which leaves "
                 "a developed "
                 "channel flow undisturbed; \"traction-free\" is t = -p0 n, a free surface.")
-        .attribute("pressure", &P::pressure, "Pa", "Outside pressure p0.")
+        .attribute("pressure", &P::pressure, "Pa", any(), "Outside pressure p0.")
         .attribute(
             "backflow", &P::backflow, "1", between(0, 1),
             "Share of the momentum flux that resists where fluid flows back in; 0.5 is ample.");
@@ -44,11 +44,12 @@ struct AleFluid {
                    "Incompressible Navier-Stokes flow on a moving mesh; linear velocity and "
                    "pressure with "
                    "SUPG, PSPG and LSIC stabilisation.")
+        .source("packages/modules/ale_fluid/theory.md")
         .attribute("region", &P::region, required(), "Region that the fluid fills.")
         .attribute("density", &P::density, "kg/m^3", positive(), "Mass density.")
         .attribute("viscosity", &P::viscosity, "Pa s", required() && positive(),
                    "Dynamic viscosity (density times the kinematic, or eddy, viscosity).")
-        .attribute("body-force", &P::body_force, "m/s^2", length(2),
+        .attribute("body-force", &P::body_force, "m/s^2", any() && length(2),
                    "Body force per unit mass: two numbers or expressions of x y z (moved), X Y Z "
                    "(reference), t.")
         .children(&P::outflows);

@@ -21,18 +21,20 @@ struct Cable : CableProperties {
                    "Total Lagrangian cable with axial and bending stiffness that carries no "
                    "compression, in the plane or in space; in a flow in the plane all quantities "
                    "are per metre of depth.")
+        .source("packages/modules/cable/theory.md")
         .attribute("region", &P::region, required(), "Line region of the cable.")
         .attribute("mass-per-length", &P::mass, "kg/m", positive(), "Inertia per length.")
-        .attribute("axial-stiffness", &P::axial_stiffness, "N", positive(), "EA.")
+        .attribute("axial-stiffness", &P::axial_stiffness, "N", positive(), "Axial stiffness EA.")
         .attribute("bending-stiffness", &P::bending_stiffness, "N m^2", non_negative(),
                    "EI; with 0 the tail of a towed cable flaps under any refinement.")
-        .attribute("clamped", &P::clamped,
+        .attribute("clamped", &P::clamped, absent("none"),
                    "Point regions where the direction of the cable stays the initial one; "
                    "elsewhere it is hinged.")
-        .attribute("gravity", &P::gravity, "m/s^2",
+        .attribute("gravity", &P::gravity, "m/s^2", any() && absent("none"),
                    "Acceleration per direction; the weight is this times mass-per-length, unless "
-                   "submerged-weight is given. None without.")
+                   "submerged-weight is given.")
         .attribute("submerged-weight", &P::submerged_weight, "N/m",
+                   any() && absent("by gravity and mass-per-length"),
                    "Weight per length in the surrounding fluid, along gravity: mass less displaced "
                    "mass, times g; negative for a cable that floats up.")
         .attribute("damping", &P::damping, "N s/m^2", non_negative(),

@@ -14,6 +14,7 @@ struct MeshMotion : MeshStiffness {
     using P = MeshMotion;
     return Spec<P>("mesh-motion",
                    "Moves the mesh as a linear elastic body, stiffer where cells are small.")
+        .source("packages/modules/mesh_motion/theory.md")
         .attribute("region", &P::region, required(), "Region whose mesh moves.")
         .choice(
             "reference", &P::incremental, {{"incremental", true}, {"total", false}},
@@ -23,7 +24,7 @@ struct MeshMotion : MeshStiffness {
                    "Young's modulus goes with the cell's area to minus this power.")
         .attribute("poisson-ratio", &P::poisson, "1", between(0, 0.49),
                    "Poisson's ratio of the mesh.")
-        .attribute("body-force", &P::body_force, "1/m", length(2),
+        .attribute("body-force", &P::body_force, "1/m", any() && length(2) && absent("none"),
                    "Force per volume over the local Young's modulus, for manufactured solutions: "
                    "two expressions of x y z (moved), X Y Z (reference), t.");
   }

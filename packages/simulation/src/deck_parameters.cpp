@@ -36,6 +36,7 @@ Spec<LinearOptions> linear_spec() {
 Spec<NonlinearOptions> newton_spec() {
   using P = NonlinearOptions;
   return Spec<P>("newton", "Newton's method.")
+      .source("doc/numerics.md, doc/decisions/0003-convergence-norm.md")
       .attribute("tolerance", &P::tolerance, "1", between(1e-15, 1e-1),
                  "Largest residual of a block relative to the contributions that cancel in it.")
       .attribute("max-iterations", &P::max_iterations, at_least(1),
@@ -71,12 +72,13 @@ Spec<StepTargets> adapt_spec() {
 Spec<ConditionDeck> condition_spec(const std::string& tag, const std::string& meaning) {
   using P = ConditionDeck;
   return Spec<P>(tag, meaning)
-      .attribute("name", &P::name, "By which another deck or --set can change it.")
+      .attribute("name", &P::name, absent("it has none"),
+                 "By which another deck or --set can change it.")
       .attribute("field", &P::field, required(), "Field by name, such as velocity.")
       .attribute("on", &P::on, required(), "Regions, by name.")
       .attribute("component", &P::component, one_of({"all", "x", "y", "z"}),
                  "Which component the value is for.")
-      .attribute("value", &P::value, "SI", required(),
+      .attribute("value", &P::value, "SI", required() && any(),
                  "A number or expression per component, of x y z (moved), X Y Z (reference), t.");
 }
 
@@ -85,10 +87,10 @@ Spec<ConditionDeck> condition_spec(const std::string& tag, const std::string& me
 Spec<TowBoxDeck> TowBoxDeck::spec() {
   using P = TowBoxDeck;
   return Spec<P>("tow-box", "A box of water with a straight cable in it.")
-      .attribute("min", &P::min, "m", required() && length(2), "Lower left corner.")
-      .attribute("max", &P::max, "m", required() && length(2), "Upper right corner.")
-      .attribute("tow-point", &P::tow_point, "m", length(2), "Where the cable starts.")
-      .attribute("tail", &P::tail, "m", required() && length(2), "Where the cable ends.")
+      .attribute("min", &P::min, "m", required() && any() && length(2), "Lower left corner.")
+      .attribute("max", &P::max, "m", required() && any() && length(2), "Upper right corner.")
+      .attribute("tow-point", &P::tow_point, "m", any() && length(2), "Where the cable starts.")
+      .attribute("tail", &P::tail, "m", required() && any() && length(2), "Where the cable ends.")
       .attribute("cable-size", &P::cable_size, "m", positive(), "Segment length on the cable.")
       .attribute("far-size", &P::far_size, "m", positive(), "Largest cell size.")
       .attribute("growth", &P::growth, "1", positive(),
@@ -113,8 +115,8 @@ TowBox TowBoxDeck::box() const {
 Spec<WaterBoxDeck> WaterBoxDeck::spec() {
   using P = WaterBoxDeck;
   return Spec<P>("water-box", "A box of water alone.")
-      .attribute("min", &P::min, "m", required() && length(2), "Lower left corner.")
-      .attribute("max", &P::max, "m", required() && length(2), "Upper right corner.")
+      .attribute("min", &P::min, "m", required() && any() && length(2), "Lower left corner.")
+      .attribute("max", &P::max, "m", required() && any() && length(2), "Upper right corner.")
       .attribute("size", &P::size, "m", non_negative(), "Cell size of an unstructured mesh.")
       .attribute("cells", &P::cells, "1", length(2) && non_negative(),
                  "Cells in x and y of a structured mesh; 0 0 for an unstructured one.")
@@ -146,7 +148,8 @@ Spec<MeshFileDeck> MeshFileDeck::spec() {
 Spec<MeshDeck> MeshDeck::spec() {
   using P = MeshDeck;
   return Spec<P>("mesh", "Where the mesh comes from: exactly one of the children.")
-      .attribute("slits", &P::slits, "Line regions across which the pressure is doubled.")
+      .attribute("slits", &P::slits, absent("none"),
+                 "Line regions across which the pressure is doubled.")
       .child(&P::tow_box)
       .child(&P::water_box)
       .child(&P::line)
@@ -167,8 +170,9 @@ Spec<ParameterDeck> ParameterDeck::spec() {
       .attribute("name", &P::name, required(), "Letters, digits and _, such as tow_speed.")
       .attribute("value", &P::value, required(),
                  "A number, a number with its unit, or a formula of earlier parameters.")
-      .attribute("unit", &P::unit, "Of a bare number as value; SI when left out.")
-      .attribute("meaning", &P::meaning, "What it is, for the reader.");
+      .attribute("unit", &P::unit, absent("SI, unless the value has its own"),
+                 "Of a bare number as value; also the dimension of any other.")
+      .attribute("meaning", &P::meaning, absent("none"), "What it is, for the reader.");
 }
 
 Spec<PluginDeck> PluginDeck::spec() {
@@ -189,8 +193,10 @@ Spec<ConditionDeck> ConditionDeck::prescribe_spec() {
   using P = ConditionDeck;
   return condition_spec("prescribe",
                         "A field's values on a region, at all times or within a window.")
-      .attribute("from", &P::from, "s", "Holds for steps that end after this time.")
-      .attribute("until", &P::until, "s", "Holds for steps that end at this time or before.");
+      .attribute("from", &P::from, "s", any() && absent("from the start"),
+                 "Holds for steps that end after this time.")
+      .attribute("until", &P::until, "s", any() && absent("to the end"),
+                 "Holds for steps that end at this time or before.");
 }
 
 Spec<ConditionsDeck> ConditionsDeck::spec() {
@@ -214,19 +220,20 @@ Spec<TimeDeck> TimeDeck::spec() {
   using P = TimeDeck;
   using Method = TimeScheme::Method;
   return Spec<P>("time", "Time stepping.")
+      .source("doc/numerics.md")
       .choice("scheme", &P::method,
               {{"newmark", Method::newmark},
                {"generalised-alpha", Method::generalised_alpha},
                {"steady", Method::steady}},
               "Newmark's method, generalised-alpha, or one solve without rates.")
-      .attribute("beta", &P::beta, "1", between(0.25, 1), "Newmark's beta; 0.3025 unless given.")
-      .attribute("gamma", &P::gamma, "1", between(0.5, 1),
-                 "Newmark's gamma; 0.6 unless given. More than 0.5 damps and is first order; 0.5 "
+      .attribute("beta", &P::beta, "1", between(0.25, 1) && absent("0.3025"), "Newmark's beta.")
+      .attribute("gamma", &P::gamma, "1", between(0.5, 1) && absent("0.6"),
+                 "Newmark's gamma. More than 0.5 damps and is first order; 0.5 "
                  "is second "
                  "order, but lets accelerations and forces ring after any kink in time.")
-      .attribute("rho-infinity", &P::rho_infinity, "1", between(0, 1),
+      .attribute("rho-infinity", &P::rho_infinity, "1", between(0, 1) && absent("0.5"),
                  "What generalised-alpha leaves of the fastest motions per step: 0 damps most, 1 "
-                 "nothing; 0.5 unless given.")
+                 "nothing.")
       .choice("start", &P::euler_start, {{"implicit-euler", true}, {"initial-rates", false}},
               "How the first step is made: by implicit Euler, which asks for no initial rates, or "
               "by the scheme with the rates of the initial values' expressions (0 for constants).")
@@ -285,10 +292,9 @@ Spec<ForceDeck> ForceDeck::spec() {
       .attribute("on", &P::on, required(), "Region whose velocity rows are summed.")
       .attribute("module", &P::module,
                  "Module whose load on the region is reported; all for the reaction.")
-      .attribute(
-          "axis", &P::axis, "1", length(2, 3),
-          "Direction of the component called along, +x without; across is 90 degrees left, in "
-          "space the magnitude of the rest.");
+      .attribute("axis", &P::axis, "1", any() && length(2, 3) && absent("+x"),
+                 "Direction of the component called along; across is 90 degrees left, in "
+                 "space the magnitude of the rest.");
 }
 
 Spec<ProbeDeck> ProbeDeck::spec() {
@@ -315,7 +321,7 @@ Spec<ExpectDeck> ExpectDeck::spec() {
   using P = ExpectDeck;
   return Spec<P>("expect", "A reported quantity that must come out; otherwise the exit code is 8.")
       .attribute("quantity", &P::quantity, required(), "Name in summary.json.")
-      .attribute("value", &P::value, "as the quantity", required(), "What is expected.")
+      .attribute("value", &P::value, "as the quantity", required() && any(), "What is expected.")
       .attribute("within", &P::within, "as the quantity", required() && non_negative(),
                  "Allowed difference.")
       .attribute("why", &P::why, required(), "Where the value comes from.");
@@ -324,8 +330,9 @@ Spec<ExpectDeck> ExpectDeck::spec() {
 Spec<RunDeck> RunDeck::spec() {
   using P = RunDeck;
   return Spec<P>("hawser", "One simulation.")
-      .attribute("title", &P::title, "What this run is.")
-      .attribute("extends", &P::extends, "Another deck, of which this one says what differs.")
+      .attribute("title", &P::title, absent("none"), "What this run is.")
+      .attribute("extends", &P::extends, absent("it stands for itself"),
+                 "Another deck, of which this one says what differs.")
       .children(&P::parameters)
       .child(&P::mesh, required())
       .children(&P::plugins)

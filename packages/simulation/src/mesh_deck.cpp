@@ -10,8 +10,8 @@ Spec<LineDeck> LineDeck::spec() {
   return Spec<P>("line",
                  "A straight cable alone, in the plane or in space: regions cable, tow-point (its "
                  "start), tail (its end) and, with an even number of segments, middle.")
-      .attribute("from", &P::from, "m", required() && length(2, 3), "Where it starts.")
-      .attribute("to", &P::to, "m", required() && length(2, 3), "Where it ends.")
+      .attribute("from", &P::from, "m", required() && any() && length(2, 3), "Where it starts.")
+      .attribute("to", &P::to, "m", required() && any() && length(2, 3), "Where it ends.")
       .attribute("segments", &P::segments, required() && at_least(1), "Of equal length.")
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
         if (p.from.size() != p.to.size())

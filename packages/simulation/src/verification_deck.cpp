@@ -11,7 +11,7 @@ Spec<ErrorDeck> ErrorDeck::spec() {
       .attribute("name", &P::name, required(), "Start of the quantities' names.")
       .attribute("field", &P::field, required(), "Field by name.")
       .attribute("on", &P::on, required(), "Region: a body or a line.")
-      .attribute("exact", &P::exact, "SI", required(),
+      .attribute("exact", &P::exact, "SI", required() && any(),
                  "An expression per component, of x y z (moved), X Y Z (reference), t.")
       .attribute("up-to-constant", &P::up_to_constant,
                  "Leave out the difference's mean: for a pressure whose level nothing fixes.");
