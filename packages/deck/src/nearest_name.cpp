@@ -34,13 +34,14 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 std::string nearest_name(const std::string& given, const std::vector<std::string>& allowed) {
   std::string nearest;
-  // Every single letter is near to every other: there only the same one, large or small, counts.
-  std::size_t least = given.size() < 2 ? 1 : std::max<std::size_t>(1, given.size() / 3) + 1;
+  std::size_t least = std::max<std::size_t>(1, given.size() / 3) + 1;
   for (const std::string& name : allowed) {
     // Far lengths cannot be near; this also bounds the work for absurdly long names.
     if (name.size() > given.size() + least || given.size() > name.size() + least) continue;
     const std::size_t d = distance(lower(given), lower(name));
-    if (d >= least) continue;
+    // Every single letter is near to every other; one letter stands for a name that it is part of.
+    const bool part = lower(name).find(lower(given)) != std::string::npos;
+    if (d >= least || (given.size() < 2 && !part)) continue;
     least = d;
     nearest = name;
   }
