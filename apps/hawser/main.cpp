@@ -35,7 +35,19 @@ int guarded(bool speaks, const Work& work) {
   }
 }
 
-int perform(const Alone& action) { return is_first_process() ? guarded(true, action) : 0; }
+int say_our_fault(const std::exception& error) {
+  std::fprintf(stderr, "internal error, please report it: %s\n", error.what());
+  return 1;
+}
+
+int perform(const Alone& action) {
+  if (!is_first_process()) return 0;
+  try {
+    return guarded(true, action);
+  } catch (const std::exception& error) {
+    return say_our_fault(error);
+  }
+}
 
 int perform(const OnRanks& action) {
   int no_arguments = 0;  // ours are not Kokkos'
@@ -46,8 +58,7 @@ int perform(const OnRanks& action) {
     return guarded(world.is_root(), [&] { return action(world); });
   } catch (const std::exception& error) {
     // Not an Error, hence perhaps on this rank only: the others would wait for ever.
-    std::fprintf(stderr, "internal error, please report it: %s\n", error.what());
-    MPI_Abort(MPI_COMM_WORLD, 1);
+    MPI_Abort(MPI_COMM_WORLD, say_our_fault(error));
   }
   return 1;
 }

@@ -1,5 +1,5 @@
-"""Installs Hawser into a scratch prefix, follows doc/write_a_module.md word for word with it, and tries what else is
-installed: the manual page and the completion.
+"""Installs Hawser into a scratch prefix, follows doc/write_a_module.md and doc/running.md word for word with it, and
+tries what else is installed: the manual page and the completion.
 
 python3 tests/plugin_out_of_tree/installed.py --build build
 """
@@ -15,13 +15,14 @@ sys.path.insert(0, str(HERE.parent / "system"))
 from harness import BUILD, ENVIRONMENT, ROOT, SCRATCH, SystemTest, main
 
 TUTORIAL = (ROOT / "doc/write_a_module.md").read_text()
+RUNNING = (ROOT / "doc/running.md").read_text()
 PREFIX = SCRATCH / "hawser"
 SPACE = SCRATCH / "my_heat"
 
 
-def blocks():
+def blocks(page):
     """The page's blocks in order: kind, text, and the name of the file that the line before gives."""
-    for found in re.finditer(r"(?:^`([\w.]+)`[^\n]*:\n\n)?^```(\w+)\n(.*?)^```", TUTORIAL, re.S | re.M):
+    for found in re.finditer(r"(?:^`([\w.]+)`[^\n]*:\n\n)?^```(\w+)\n(.*?)^```", page, re.S | re.M):
         yield found.group(2), found.group(3), found.group(1)
 
 
@@ -38,7 +39,7 @@ class Tutorial(SystemTest):
         shutil.rmtree(SCRATCH, ignore_errors=True)
         SCRATCH.mkdir(parents=True)
         script, cls.files = [], {}
-        for kind, text, name in blocks():
+        for kind, text, name in blocks(TUTORIAL):
             if kind == "sh":
                 script.append(text)
             elif name:
@@ -88,6 +89,23 @@ class Tutorial(SystemTest):
             for option in re.findall(r"(?<= |,)--[a-z-]+", shell(f"{PREFIX}/bin/hawser {verb} --help").stdout):
                 self.assertIn(option, text)
 
+    def test_a_tow_of_your_own(self):
+        """doc/running.md word for word, but for an early end: the deck's expectations are of a later time."""
+        (kind, deck, name), (_, script, _) = blocks(RUNNING)
+        self.assertEqual((kind, name), ("xml", "mine.xml"))
+        place = SCRATCH / "own"
+        place.mkdir()
+        (place / name).write_text(deck)
+        for folder in "inputs", "apps":
+            (place / folder).symlink_to(ROOT / folder)
+        script = script.replace("step=40", "step=40 --end 120 || [ $? = 8 ]").replace("python3", "/usr/bin/python3")
+        done = shell(f"export PATH={PREFIX}/bin:$PATH\n{script}", place)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("mine.xml: no faults", done.stdout)
+        self.assertRegex(done.stdout, r"\n  tail_velocity_x_m_per_s +-?\d")
+        for picture in "history.png", "cable.png":
+            self.assertEqual((place / "results/mine" / picture).read_bytes()[:4], b"\x89PNG")
+
     def completed_words(self, *words):
         return shell(f"""set +e; PATH={PREFIX}/bin:$PATH
             . {PREFIX}/share/bash-completion/completions/hawser
@@ -100,6 +118,7 @@ class Tutorial(SystemTest):
         self.assertEqual(self.completed_words("hawser", "run", "--log"), ["--log-json"])
         self.assertEqual(self.completed_words("hawser", "run", "h"), ["heat.xml"])
         self.assertEqual(self.completed_words("hawser", "describe", "ca"), ["cable"])
+        self.assertEqual(self.completed_words("hawser", "new", "to"), ["tow"])
         self.assertIn("build", self.completed_words("hawser", "run", "heat.xml", "-o", "b"))
 
 

@@ -7,7 +7,6 @@ import subprocess
 
 from harness import BUILD, DECKS, ENVIRONMENT, SCRATCH, Results, SystemTest, completed, edited, fresh, hawser, main
 
-VERBS = "run", "restart", "check", "mesh", "info", "modules", "describe", "converge"
 CUT = dict(newton_max_iterations="4", time_end="60", output_checkpoint_every="2")  # some steps are rejected
 
 
@@ -30,10 +29,11 @@ def on_a_terminal(*arguments, **environment):
 class Help(SystemTest):
     def test_fits_on_a_screen_and_has_an_example_for_each_verb(self):
         everything = completed(1, "--help").stdout
-        for verb in VERBS:
-            self.assertRegex(everything, rf"\n  {verb} +\w")
+        verbs = re.findall(r"^  (\w+) ", everything.split("Subcommands:")[1], re.M)
+        self.assertLessEqual({"run", "restart", "check", "mesh", "info", "modules", "describe"}, set(verbs))
+        for verb in verbs:
             said = completed(1, verb, "--help").stdout
-            self.assertRegex(said, rf"\nExample: .*hawser {verb}\b")
+            self.assertRegex(said, rf"\nExamples?: .*hawser {verb}\b")
             self.assertLessEqual(said.count("\n"), 32, said)
         self.assertLessEqual(everything.count("\n"), 24)
 

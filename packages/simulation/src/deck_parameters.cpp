@@ -1,6 +1,7 @@
 #include "hawser/simulation/deck_parameters.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace hawser {
 namespace {
@@ -284,6 +285,22 @@ Spec<TowDeck> TowDeck::spec() {
       .attribute("current", &P::current, "m/s", non_negative(), "Of the water along -y, likewise.");
 }
 
+namespace {
+
+/// It becomes part of a table's columns and of the names in summary.json.
+template <class P>
+void check_column_name(const P& p, const Location& where, Diagnostics& diagnostics) {
+  const bool fits = std::all_of(p.name.begin(), p.name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-';
+  });
+  if (!fits)
+    diagnostics.error(where, "the name '" + p.name +
+                                 "' becomes a column of history.csv; letters, digits, _ and - are "
+                                 "allowed");
+}
+
+}  // namespace
+
 Spec<ForceDeck> ForceDeck::spec() {
   using P = ForceDeck;
   return Spec<P>("force",
@@ -294,7 +311,8 @@ Spec<ForceDeck> ForceDeck::spec() {
                  "Module whose load on the region is reported; all for the reaction.")
       .attribute("axis", &P::axis, "1", any() && length(2, 3) && absent("+x"),
                  "Direction of the component called along; across is 90 degrees left, in "
-                 "space the magnitude of the rest.");
+                 "space the magnitude of the rest.")
+      .check(check_column_name<P>);
 }
 
 Spec<ProbeDeck> ProbeDeck::spec() {
@@ -302,7 +320,8 @@ Spec<ProbeDeck> ProbeDeck::spec() {
   return Spec<P>("probe", "Writes a field at one point over time.")
       .attribute("name", &P::name, required(), "Column name and start of the quantities' names.")
       .attribute("on", &P::on, required(), "Point region.")
-      .attribute("field", &P::field, required(), "Field by name.");
+      .attribute("field", &P::field, required(), "Field by name.")
+      .check(check_column_name<P>);
 }
 
 Spec<OutputDeck> OutputDeck::spec() {
