@@ -20,7 +20,7 @@ class DeckRun {
     Diagnostics diagnostics;
     const Deck parsed = parse_deck(text, "test.xml", diagnostics);
     deck_ = RunDeck::spec().read(parsed.root, diagnostics);
-    if (deck_.time.steady()) deck_.time.step = deck_.time.end;
+    if (deck_.time.steady()) deck_.time.step = std::min(deck_.time.step, deck_.time.end);
     ModuleRegistry registry;
     register_ale_fluid(registry);
     register_cable(registry);

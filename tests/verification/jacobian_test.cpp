@@ -31,7 +31,11 @@ const Snippets snippets = {
                    body-force="20*sin(x + 0.5*y + t) - X; 10*x*y"/>)"},
     {"cable",
      R"(<cable region="cable" axial-stiffness="1e7" bending-stiffness="1e5" damping="20"
-               axial-damping="1e4" compressive-ratio="0.01" gravity="1 -9.81" clamped="tail"/>)"},
+               axial-damping="1e4" compressive-ratio="0.01" gravity="1 -9.81" clamped="tail"
+               load="1e3*sin(x + 2*y + t); 200*X*y">
+          <drag current="0.4*cos(y + t); 0.3 + 0.1*x" diameter="0.1" tangential-coefficient="0.4"/>
+          <point-load on="tail" force="30*sin(2*x); 20*x*y"/>
+        </cable>)"},
     {"mesh-motion", R"(<mesh-motion region="water" reference="incremental"/>)"},
     {"mesh-motion", R"(<mesh-motion region="water" body-force="sin(x)*Y; 2*x*y"/>)"},
     {"heat", R"(<heat region="water" capacity="4e6" conductivity="5"/>)"}};
@@ -41,7 +45,11 @@ const Snippets snippets_in_space = {
     {"cable",
      R"(<cable region="cable" axial-stiffness="1e7" bending-stiffness="1e5" damping="20"
                axial-damping="1e4" compressive-ratio="0.01" gravity="1 2 -9.81" submerged-weight="30"
-               clamped="tow-point tail"/>)"}};
+               clamped="tow-point tail" load="1e3*sin(x + 2*y + t); 200*X*y; 50*z*z">
+          <drag current="0.4*cos(y + t); 0.3 + 0.1*x; 0.2*z" diameter="0.1"
+                tangential-coefficient="0.4"/>
+          <point-load on="tail" force="30*sin(2*x); 20*x*y; t"/>
+        </cable>)"}};
 
 ModuleRegistry all_modules_there_are() {
   ModuleRegistry registry;

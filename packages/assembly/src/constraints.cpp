@@ -15,6 +15,12 @@ void Constraints::prescribe(std::vector<PrescribedRow> rows) {
     prescribed_[static_cast<std::size_t>(rows_[i].row)] = static_cast<int>(i);
 }
 
+// Where the velocity is prescribed there is no balance that could find the displacement.
+bool Constraints::finds_displacement(const Assembler::KinematicPair& pair,
+                                     const Kinematics& kinematics) const {
+  return kinematics.at_rest && prescribed_[static_cast<std::size_t>(pair.velocity)] < 0;
+}
+
 void Constraints::apply(const State& state, const Kinematics& kinematics,
                         std::vector<double>& residual, std::vector<double>& magnitude) const {
   const auto& pairs = assembler_.kinematic_pairs();
@@ -23,10 +29,19 @@ void Constraints::apply(const State& state, const Kinematics& kinematics,
     magnitude[static_cast<std::size_t>(row)] = std::abs(left) + std::abs(right);
   };
   const auto value = [&](LocalIndex row) { return state.value[static_cast<std::size_t>(row)]; };
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (pairs[i].displacement < assembler_.dofs().owned())
-      set(pairs[i].displacement, value(pairs[i].displacement),
-          kinematics.known[i] + kinematics.factor * value(pairs[i].velocity));
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [displacement, velocity] = pairs[i];
+    if (displacement >= assembler_.dofs().owned()) continue;
+    const double right = kinematics.known[i] + kinematics.factor * value(velocity);
+    if (finds_displacement(pairs[i], kinematics)) {
+      // v = 0: the way made in a second, judged against the displacement.
+      residual[static_cast<std::size_t>(displacement)] = value(velocity);
+      magnitude[static_cast<std::size_t>(displacement)] =
+          std::abs(value(velocity)) + std::abs(value(displacement)) + std::abs(right);
+    } else {
+      set(displacement, value(displacement), right);
+    }
+  }
   for (const PrescribedRow& row : rows_)
     set(row.row, value(row.row), row.value);
 }
@@ -43,6 +58,10 @@ void Constraints::apply(const Kinematics& kinematics) {
   const auto& pairs = assembler_.kinematic_pairs();
   for (const auto& pair : pairs) {
     if (pair.displacement >= assembler_.dofs().owned()) continue;
+    if (finds_displacement(pair, kinematics)) {
+      replace(pair.displacement, pair.velocity, 1, true);
+      continue;
+    }
     replace(pair.displacement, pair.displacement, 1, true);
     replace(pair.displacement, pair.velocity, -kinematics.factor, false);
   }

@@ -4,16 +4,57 @@
 
 #include "axial_kernel.hpp"
 #include "bending_kernel.hpp"
+#include "drag_kernel.hpp"
 #include "hawser/physics/module_registry.hpp"
+#include "load_kernel.hpp"
 
 namespace hawser {
 namespace {
+
+struct Drag : DragProperties {
+  Located<Expressions> current;
+
+  static Spec<Drag> spec() {
+    using P = Drag;
+    return Spec<P>("drag",
+                   "Load of a given current on a cable without a flow around it, by drag "
+                   "coefficients; diameter and length are those of the unstretched cable.")
+        .attribute("current", &P::current, "m/s", required(),
+                   "A number or expression per direction, of x y z (moved), X Y Z (reference), t.")
+        .attribute("diameter", &P::diameter, "m", required() && positive(), "Of the cable.")
+        .attribute("density", &P::density, "kg/m^3", positive(), "Of the water.")
+        .attribute("normal-coefficient", &P::normal, "1", non_negative(),
+                   "Of rho Cn D |u_n| u_n / 2; 1.2 is a smooth cylinder at Reynolds numbers of 1e3 "
+                   "to 2e5.")
+        .attribute("tangential-coefficient", &P::tangential, "1", non_negative(),
+                   "Of rho Ct pi D |u_t| u_t / 2.")
+        .attribute("added-mass-coefficient", &P::added_mass, "1", non_negative(),
+                   "Added mass across the cable relative to the displaced mass; 1 is a cylinder in "
+                   "ideal flow.");
+  }
+};
+
+struct PointLoad {
+  std::string on;
+  Located<Expressions> force;
+
+  static Spec<PointLoad> spec() {
+    using P = PointLoad;
+    return Spec<P>("point-load", "A force at a point of the cable.")
+        .attribute("on", &P::on, required(), "Point region.")
+        .attribute("force", &P::force, "N", required(),
+                   "A number or expression per direction, of x y z (moved), X Y Z (reference), t.");
+  }
+};
 
 struct Cable : CableProperties {
   std::string region;
   Located<std::vector<double>> gravity;
   std::optional<double> submerged_weight;
   std::vector<std::string> clamped;
+  Located<Expressions> load;
+  std::optional<Drag> drag;
+  std::vector<PointLoad> point_loads;
 
   static Spec<Cable> spec() {
     using P = Cable;
@@ -37,6 +78,9 @@ struct Cable : CableProperties {
                    any() && absent("by gravity and mass-per-length"),
                    "Weight per length in the surrounding fluid, along gravity: mass less displaced "
                    "mass, times g; negative for a cable that floats up.")
+        .attribute("load", &P::load, "N/m",
+                   "Further force per reference length: a number or expression per direction, of x "
+                   "y z (moved), X Y Z (reference), t. None without.")
         .attribute("damping", &P::damping, "N s/m^2", non_negative(),
                    "External damping force per length and velocity.")
         .attribute("axial-damping", &P::axial_damping, "N s", non_negative(),
@@ -45,6 +89,8 @@ struct Cable : CableProperties {
                    "Strain over which the tension is switched off smoothly in compression.")
         .attribute("compressive-ratio", &P::compressive_ratio, "1", between(0, 1),
                    "Stiffness kept in compression, relative to EA.")
+        .child(&P::drag)
+        .children(&P::point_loads)
         .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
           if (p.submerged_weight && p.gravity.value.empty())
             diagnostics.error(where, "submerged-weight needs gravity, which says where down is");
@@ -77,6 +123,13 @@ PhysicsModule make_cable(const Cable& deck, const ModuleContext& context) {
   PhysicsModule module{"cable", "structure", {}, {}};
   module.kernels.push_back(
       std::make_unique<CableKernel<D>>(deck.region, deck, weight<D>(deck), context.force_unit));
+  if (!deck.load.value.empty())
+    module.kernels.push_back(std::make_unique<CableLoadKernel<D>>(deck.region, deck.load.value));
+  for (const PointLoad& load : deck.point_loads)
+    module.kernels.push_back(std::make_unique<PointLoadKernel<D>>(load.on, load.force.value));
+  if (deck.drag)
+    module.kernels.push_back(
+        std::make_unique<CableDragKernel<D>>(deck.region, *deck.drag, deck.drag->current.value));
   if (deck.bending_stiffness == 0) return module;
   module.kernels.push_back(
       std::make_unique<BendingKernel<D>>(deck.region + "/patches", deck.bending_stiffness));
@@ -88,13 +141,19 @@ PhysicsModule make_cable(const Cable& deck, const ModuleContext& context) {
 
 PhysicsModule make_cable_in(const Cable& deck, const ModuleContext& context,
                             Diagnostics& diagnostics) {
-  const std::size_t given = deck.gravity.value.size();
-  if (given != 0 && given != static_cast<std::size_t>(context.dimension)) {
-    diagnostics.error(deck.gravity.location, "gravity has " + std::to_string(given) +
-                                                 " components, the mesh " +
-                                                 std::to_string(context.dimension));
-    return {};
-  }
+  const auto check_length = [&](const auto& vector, const std::string& name) {
+    const std::size_t given = vector.value.size();
+    if (given != 0 && given != static_cast<std::size_t>(context.dimension))
+      diagnostics.error(vector.location, name + " has " + std::to_string(given) +
+                                             " components, the mesh " +
+                                             std::to_string(context.dimension));
+  };
+  check_length(deck.gravity, "gravity");
+  check_length(deck.load, "load");
+  if (deck.drag) check_length(deck.drag->current, "current");
+  for (const PointLoad& point : deck.point_loads)
+    check_length(point.force, "force");
+  if (!diagnostics.ok()) return {};
   return context.dimension == 3 ? make_cable<3>(deck, context) : make_cable<2>(deck, context);
 }
 

@@ -145,6 +145,7 @@ std::vector<PrescribedRow> Conditions::prescribed(const State& state, const Stat
   std::vector<PrescribedRow> result;
   // The slack of step control: an end of a step this near to an edge is the edge.
   const double slack = std::isfinite(end.step) ? 1e-6 * end.step : 0;
+  const bool moves = std::isfinite(end.step);  // else steady: a place without a velocity
   dofs_.mesh().communicator.together([&] {
     for (const Entry& entry : prescribed_) {
       if (end.time <= entry.from + slack || end.time > entry.until + slack) continue;
@@ -163,7 +164,8 @@ std::vector<PrescribedRow> Conditions::prescribed(const State& state, const Stat
           result.push_back(prescribed);
           const LocalIndex velocity = velocity_of_[static_cast<std::size_t>(row)];
           if (velocity >= 0)
-            result.push_back({velocity, value.depends_on_time() ? value.time_derivative(at) : 0});
+            result.push_back(
+                {velocity, moves && value.depends_on_time() ? value.time_derivative(at) : 0});
         }
       }
     }

@@ -44,6 +44,9 @@ Spec<NonlinearOptions> newton_spec() {
                  "Iterations before a step is rejected.")
       .attribute("line-search", &P::line_search,
                  "Halve an update that is not admissible or explodes.")
+      .attribute("divergence", &P::divergence, "1", greater_than(1),
+                 "Growth of the residual against the first one that ends the solve. Without line "
+                 "search a stiff, slender cable passes through large ones.")
       .attribute("lagged", &P::lagged,
                  "First iterate with the Jacobian of an earlier step, Anderson-accelerated.")
       .attribute("forcing", &P::forcing,
@@ -226,7 +229,8 @@ Spec<TimeDeck> TimeDeck::spec() {
               {{"newmark", Method::newmark},
                {"generalised-alpha", Method::generalised_alpha},
                {"steady", Method::steady}},
-              "Newmark's method, generalised-alpha, or one solve without rates.")
+              "Newmark's method, generalised-alpha, or solves without rates: one at `end`, or, "
+              "where `step` is shorter, one per step, in which loads may grow with t.")
       .attribute("beta", &P::beta, "1", between(0.25, 1) && absent("0.3025"), "Newmark's beta.")
       .attribute("gamma", &P::gamma, "1", between(0.5, 1) && absent("0.6"),
                  "Newmark's gamma. More than 0.5 damps and is first order; 0.5 "

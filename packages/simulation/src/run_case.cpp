@@ -44,7 +44,7 @@ RunCase read_case(const Communicator& communicator, Deck text, const RunOptions&
   run.deck = RunDeck::spec().read(run.text.root, diagnostics);
   TimeDeck& time = run.deck.time;
   if (options.end) time.end = *options.end;
-  if (time.steady()) time.step = time.end;
+  if (time.steady()) time.step = std::min(time.step, time.end);
   if (time.least == 0) time.least = time.step / 1000;
   time.order = time.scheme().order();
   load_plugins(communicator, run.deck.plugins, options.plugin_folder, registry);

@@ -121,7 +121,8 @@ struct Simulation::Implementation {
     } catch (const SolveError& error) {
       record->rejected();
       log->rejected(now(), length, error.what());
-      if (deck().time.steady()) throw;
+      // One steady solve has no shorter step to try; load steps have.
+      if (deck().time.steady() && deck().time.step == deck().time.end) throw;
       if (steps->rejected(length)) return std::nullopt;
       throw SolveError(std::string(error.what()) +
                        "; the least step was reached, the last accepted state is in " +

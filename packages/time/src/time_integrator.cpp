@@ -41,6 +41,7 @@ void TimeIntegrator::begin_step(double step, State& state) {
   state.rate.assign(rows, 0);
   state.rate_slope.assign(rows, 0);
   state.rate_partner.assign(rows, 0);
+  kinematics_.at_rest = steady;
   kinematics_.factor = steady ? 0 : step * present_.factor;
   kinematics_.known.clear();
   for (const auto& pair : assembler_.kinematic_pairs()) {

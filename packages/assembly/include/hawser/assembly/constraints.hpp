@@ -15,9 +15,11 @@ struct PrescribedRow {
   double slope[3] = {0, 0, 0};
 };
 
-/// d = known + factor v on every structure node that is not prescribed.
+/// d = known + factor v on every structure node that is not prescribed; at rest v = 0 instead, and
+/// the balance of momentum, which then holds d, finds d.
 struct Kinematics {
-  double factor = 0;          ///< s; 0 in a steady solve
+  bool at_rest = false;       ///< in a steady solve
+  double factor = 0;          ///< s
   std::vector<double> known;  ///< per pair of Assembler::kinematic_pairs(), m
 };
 
@@ -36,6 +38,8 @@ class Constraints {
   void apply(const Kinematics& kinematics);
 
  private:
+  bool finds_displacement(const Assembler::KinematicPair& pair, const Kinematics& kinematics) const;
+
   Assembler& assembler_;
   std::vector<PrescribedRow> rows_;
   std::vector<int> prescribed_;  // per owned row: index in rows_, or -1

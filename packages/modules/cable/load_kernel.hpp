@@ -1,0 +1,93 @@
+#pragma once
+// Distributed and point loads given by expressions of place and time (theory.md).
+#include <array>
+#include <cmath>
+
+#include "axial_kernel.hpp"
+#include "hawser/physics/place_function.hpp"
+
+namespace hawser {
+
+/// Gauss points of a segment, s from 0 at its first node to 1.
+struct GaussPoint {
+  double s, weight;
+};
+constexpr std::array<GaussPoint, 3> three_points = {
+    {{0.11270166537925831, 5.0 / 18}, {0.5, 8.0 / 18}, {0.88729833462074169, 5.0 / 18}}};
+
+/// N per reference length, at the moved place of each point of the reference.
+template <int D>
+class CableLoadKernel : public ElementKernel<CableLoadKernel<D>> {
+ public:
+  static constexpr int dimension = D;
+  static constexpr int nodes = 2;
+  static constexpr std::array<FieldUse, 2> uses = {
+      StandardFields<D>::velocity.as(Role::adds, 0U),
+      StandardFields<D>::displacement.as(Role::kinematic, need::value)};
+  static constexpr int velocity = 0;
+  static constexpr int displacement = 1;
+
+  CableLoadKernel(std::string region, Expressions load)
+      : ElementKernel<CableLoadKernel>(std::move(region)), load_(std::move(load)) {}
+
+  template <class Element, class T>
+  void element_residual(const Element& at, T* out) const {
+    const double length = segment_of<T, D>(at, displacement).length;
+    for (const GaussPoint& point : three_points) {
+      Vector<double, D> place;
+      Vector<T, D> moved;
+      for (int i = 0; i < D; ++i) {
+        place[i] = (1 - point.s) * at.coordinate(0, i) + point.s * at.coordinate(1, i);
+        moved[i] =
+            (1 - point.s) * at.value(displacement, 0, i) + point.s * at.value(displacement, 1, i);
+      }
+      for (int i = 0; i < D; ++i) {
+        const T load = point.weight * length *
+                       at_place(load_[static_cast<std::size_t>(i)], place, moved, at.time());
+        out[at.index(velocity, 0, i)] -= (1 - point.s) * load;
+        out[at.index(velocity, 1, i)] -= point.s * load;
+      }
+    }
+  }
+
+  std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }
+
+ private:
+  Expressions load_;
+};
+
+/// N at every vertex of a point region.
+template <int D>
+class PointLoadKernel : public ElementKernel<PointLoadKernel<D>> {
+ public:
+  static constexpr int dimension = D;
+  static constexpr int nodes = 1;
+  static constexpr std::array<FieldUse, 2> uses = {
+      StandardFields<D>::velocity.as(Role::adds, 0U),
+      StandardFields<D>::displacement.as(Role::reads, need::value)};
+  static constexpr int velocity = 0;
+  static constexpr int displacement = 1;
+
+  PointLoadKernel(std::string points, Expressions force)
+      : ElementKernel<PointLoadKernel>(std::move(points)), force_(std::move(force)) {}
+
+  template <class Element, class T>
+  void element_residual(const Element& at, T* out) const {
+    Vector<double, D> place;
+    Vector<T, D> moved;
+    for (int i = 0; i < D; ++i) {
+      place[i] = at.coordinate(0, i);
+      moved[i] = at.value(displacement, 0, i);
+    }
+    for (int i = 0; i < D; ++i)
+      out[at.index(velocity, 0, i)] -=
+          at_place(force_[static_cast<std::size_t>(i)], place, moved, at.time());
+  }
+
+  std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }
+
+ private:
+  Expressions force_;
+};
+
+}  // namespace hawser
