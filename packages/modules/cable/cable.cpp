@@ -19,7 +19,7 @@ struct Drag : DragProperties {
     return Spec<P>("drag",
                    "Load of a given current on a cable without a flow around it, by drag "
                    "coefficients; diameter and length are those of the unstretched cable.")
-        .attribute("current", &P::current, "m/s", required(),
+        .attribute("current", &P::current, "m/s", required() && any(),
                    "A number or expression per direction, of x y z (moved), X Y Z (reference), t.")
         .attribute("diameter", &P::diameter, "m", required() && positive(), "Of the cable.")
         .attribute("density", &P::density, "kg/m^3", positive(), "Of the water.")
@@ -42,7 +42,7 @@ struct PointLoad {
     using P = PointLoad;
     return Spec<P>("point-load", "A force at a point of the cable.")
         .attribute("on", &P::on, required(), "Point region.")
-        .attribute("force", &P::force, "N", required(),
+        .attribute("force", &P::force, "N", required() && any(),
                    "A number or expression per direction, of x y z (moved), X Y Z (reference), t.");
   }
 };
@@ -78,9 +78,9 @@ struct Cable : CableProperties {
                    any() && absent("by gravity and mass-per-length"),
                    "Weight per length in the surrounding fluid, along gravity: mass less displaced "
                    "mass, times g; negative for a cable that floats up.")
-        .attribute("load", &P::load, "N/m",
+        .attribute("load", &P::load, "N/m", any() && absent("none"),
                    "Further force per reference length: a number or expression per direction, of x "
-                   "y z (moved), X Y Z (reference), t. None without.")
+                   "y z (moved), X Y Z (reference), t.")
         .attribute("damping", &P::damping, "N s/m^2", non_negative(),
                    "External damping force per length and velocity.")
         .attribute("axial-damping", &P::axial_damping, "N s", non_negative(),
