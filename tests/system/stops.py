@@ -67,23 +67,28 @@ class Stops(SystemTest):
         times, too_late = [], 0
         while len(times) < GIVEN.count:
             self.assertLess(too_late, 2 * GIVEN.count + 10)
-            name = chance.choice(list(decks))
+            name, folder = chance.choice(list(decks)), fresh("stopped")
             results, seconds = whole[name]
-            folder, sent = fresh("stopped"), chance.choice(STOPS)
-            with started(RANKS, "run", decks[name], "-q", "-o", folder) as process:
-                wait_for(folder / "resolved.xml" if chance.random() < 0.8 else folder)
-                time.sleep(chance.uniform(0, 0.7 * seconds))
-                try:
-                    os.kill(chance.choice(ranks_of(process)), sent)
-                except (IndexError, ProcessLookupError, FileNotFoundError):
-                    pass  # it has ended
-                process.wait(timeout=300)
-                if process.returncode == 0:
-                    process.communicate()
-                    too_late += 1
-                    continue
-                times.append(self.stopped(process, folder, sent))
-            completed(RANKS, "restart", folder / "checkpoint.h5", "-q", seconds=300)
+            command = "run", decks[name], "-o", folder
+            while True:  # what goes on from a checkpoint may be stopped, too
+                sent = chance.choice(STOPS)
+                with started(RANKS, *command, "-q") as process:
+                    wait_for(folder / "resolved.xml" if chance.random() < 0.8 else folder)
+                    time.sleep(chance.uniform(0, 0.7 * seconds))
+                    try:
+                        os.kill(chance.choice(ranks_of(process)), sent)
+                    except (IndexError, ProcessLookupError, FileNotFoundError):
+                        pass  # it has ended
+                    process.wait(timeout=300)
+                    if process.returncode == 0:
+                        process.communicate()
+                        too_late += 1
+                        break
+                    times.append(self.stopped(process, folder, sent))
+                command = "restart", folder / "checkpoint.h5"
+                if chance.random() < 0.7:
+                    completed(RANKS, *command, "-q", seconds=300)
+                    break
             self.assertSame(results, Results(folder))
         print(f"{len(times)} stops at t = {', '.join(f'{t:g}' for t in times)} s, all continued to the same end; "
               f"{too_late} came after the end")

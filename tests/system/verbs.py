@@ -129,6 +129,22 @@ class BeforeARun(SystemTest):
         self.assertFails(2, "where to\\? .*", 1, "mesh", DECKS / "tow.xml")
 
 
+    def test_a_line_in_space(self):
+        deck = SCRATCH / "line.xml"
+        deck.write_text("""<hawser>
+  <mesh><line from="0 0 0" to="0 30 -40" segments="10"/></mesh>
+  <modules><cable region="cable" mass-per-length="60" axial-stiffness="1e7" bending-stiffness="0"/></modules>
+  <conditions><prescribe field="displacement" on="tow-point" value="0 0 0"/></conditions>
+  <time step="0.1" end="0.3"/>
+</hawser>""")
+        said = completed(1, "mesh", deck, "-f", "-o", SCRATCH / "line.msh").stdout
+        self.assertRegex(said, r"\A11 nodes\n  cable +10 segments\n  tow-point +1 point\n")
+        said = completed(2, "run", deck, "--dry-run").stdout
+        self.assertIn("displacement 33, velocity 33: 66 in all, on 11 nodes\n", said)
+        self.assertIn("at least 3 steps to t = 0.3 s\n", said)
+        self.assertNotIn("equilateral", said)
+
+
 class Info(SystemTest):
     def test_of_a_finished_and_of_an_unfinished_run(self):
         folder = fresh("info")

@@ -46,6 +46,10 @@ double factor_bytes(const LinearOptions& options, double entries, double rows, d
 struct Quality {
   double least = 1, mean = 0;
   long long triangles = 0;
+  std::string text() const {
+    return fmt::format("{} triangles, quality least {:.3f}, mean {:.3f} (1 is equilateral)",
+                       triangles, least, mean);
+  }
 };
 
 Quality quality_of(const Mesh& mesh) {
@@ -76,7 +80,7 @@ Quality quality_of(const Mesh& mesh) {
 std::string preview(System& system, const RunDeck& deck, double length) {
   const Communicator& communicator = system.mesh.communicator;
   system.problem->begin_step(length);
-  const MeshFigures mesh = inspect_mesh(*system.dofs, system.problem->state());
+  const double courant = inspect_mesh(*system.dofs, system.problem->state()).courant;
   const double nodes = static_cast<double>(system.mesh.vertices.global_count);
   const double rows = static_cast<double>(system.dofs->global_count());
   const double entries =
@@ -86,12 +90,12 @@ std::string preview(System& system, const RunDeck& deck, double length) {
   const double now = communicator.sum(resident());
   std::string text =
       fmt::format("unknowns    {}: {} in all, on {} nodes\n", unknowns(*system.dofs), rows, nodes);
-  text += fmt::format("mesh        quality least {:.3f}, mean {:.3f} (1 is equilateral)\n",
-                      mesh.least_quality, mesh.mean_quality);
+  const Quality quality = quality_of(system.mesh);
+  if (quality.triangles > 0) text += "mesh        " + quality.text() + "\n";
   if (!deck.time.steady())
     text += fmt::format(
         "first step  {:g} s, Courant number up to {:.3g}; at least {} steps to t = {:g} s\n",
-        length, mesh.courant, std::ceil(deck.time.end / deck.time.step), deck.time.end);
+        length, courant, std::ceil(deck.time.end / deck.time.step - 1e-6), deck.time.end);
   text += fmt::format(
       "memory      about {:.0f} MB on {} rank(s): {:.0f} now, with a matrix of {} entries; factor "
       "about {:.0f}, vectors {:.0f}\n",
@@ -103,9 +107,7 @@ std::string preview(System& system, const RunDeck& deck, double length) {
 std::string describe_mesh(const Mesh& mesh) {
   const Quality quality = quality_of(mesh);
   std::string text = fmt::format("{} nodes", mesh.vertices.global_count);
-  if (quality.triangles > 0)
-    text += fmt::format(", {} triangles, quality least {:.3f}, mean {:.3f} (1 is equilateral)",
-                        quality.triangles, quality.least, quality.mean);
+  if (quality.triangles > 0) text += ", " + quality.text();
   text += "\n";
   for (const Region& region : mesh.regions) {
     if (region.name.find('/') != std::string::npos) continue;  // made by us
@@ -113,10 +115,10 @@ std::string describe_mesh(const Mesh& mesh) {
     for (const int owner : region.cell_owners)
       cells += owner == mesh.communicator.rank() ? 1 : 0;
     cells = mesh.communicator.sum(cells);
-    const char* const kind = region.shape == CellShape::point  ? "points"
-                             : region.shape == CellShape::line ? "segments"
-                                                               : "cells";
-    text += fmt::format("  {:<16} {} {}\n", region.name, cells, kind);
+    const char* const kind = region.shape == CellShape::point  ? "point"
+                             : region.shape == CellShape::line ? "segment"
+                                                               : "cell";
+    text += fmt::format("  {:<16} {} {}{}\n", region.name, cells, kind, cells == 1 ? "" : "s");
   }
   return text;
 }
