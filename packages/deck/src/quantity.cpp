@@ -123,7 +123,7 @@ std::string read_formula(const Reading& reading, const std::string& text, Expres
 // Of one letter or more directly behind a number: "1e-3m".
 std::string number_fault(const std::string& text) {
   double value = 0;
-  const std::string fault = read_number(text, value);
+  std::string fault = read_number(text, value);
   const std::size_t digits = text.find_last_of("0123456789.");
   Unit unit;
   if (fault.empty() || digits + 1 >= text.size() || !is_letter(text[digits + 1]) ||

@@ -58,7 +58,7 @@ class Writer {
   // Plain numbers stay as they were written.
   static std::string resolved(const DeckAttribute& given, const AttributeSpec& spec,
                               const DeckNode& node) {
-    const std::string text = on_one_line(given.value);
+    std::string text = on_one_line(given.value);
     const bool plain = text.find_first_not_of("0123456789+-.eE; \t\r\n") == std::string::npos;
     if (plain || !spec.resolve) return text;
     static const Rules none;

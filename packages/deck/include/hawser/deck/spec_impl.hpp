@@ -21,7 +21,7 @@ Spec<P>&& Spec<P>::attribute(const std::string& name, T Owner::*member, const st
   attribute.rules = rules;
   attribute.read = [member](const Reading& reading, P& p) {
     T value = p.*member;
-    const std::string fault = read_value(reading, value);
+    std::string fault = read_value(reading, value);
     if (fault.empty()) p.*member = std::move(value);
     return fault;
   };
