@@ -54,7 +54,7 @@ Verb modules_verb(CLI::App& app) {
 
 Verb describe_verb(CLI::App& app) {
   auto* verb = app.add_subcommand("describe", "describe a deck, or what is at a path in it");
-  verb->footer("Examples: hawser describe ale-fluid; hawser describe time/step");
+  verb->footer("Example: hawser describe time/step");
   const auto arguments = new_arguments(*verb);
   verb->add_option("path", arguments->what,
                    "path, element, attribute or module: solver/newton, cable");

@@ -6,6 +6,7 @@
 #include "hawser/deck/spec_reader.hpp"
 #include "src/deck_edit.hpp"
 #include "src/number.hpp"
+#include "src/shortened.hpp"
 
 namespace hawser {
 namespace {
@@ -49,7 +50,7 @@ std::string read_path(const std::string& path, std::vector<Step>& steps, std::st
 class Setter {
  public:
   Setter(const DeckChange& change, const DeckLanguage& language, Diagnostics& diagnostics)
-      : where_{"--set " + change.text(), 0, 0},
+      : where_{"--set " + shortened(change.text(), 120), 0, 0},
         change_(change),
         language_(language),
         diagnostics_(diagnostics) {}

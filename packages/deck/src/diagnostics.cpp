@@ -3,13 +3,21 @@
 #include <algorithm>
 
 #include "hawser/base/error.hpp"
+#include "src/shortened.hpp"
 
 namespace hawser {
+namespace {
+
+// A list of all names that are allowed fits; what a broken deck repeats for pages does not.
+constexpr std::size_t longest_sentence = 2000;
+
+}  // namespace
 
 void Diagnostics::error(const Location& where, const std::string& sentence) {
+  const std::string text = shortened(sentence, longest_sentence);
   // Two kernels of one module may stumble over the same name: it is one fault.
-  const auto same = [&](const Entry& e) { return e.where == where && e.sentence == sentence; };
-  if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back({where, sentence});
+  const auto same = [&](const Entry& e) { return e.where == where && e.sentence == text; };
+  if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back({where, text});
 }
 
 void Diagnostics::warning(const Location& where, const std::string& sentence) {
@@ -42,8 +50,7 @@ std::string listed(const std::vector<std::string>& words) {
   return result;
 }
 
-std::string quoted(const std::string& given) {
-  constexpr std::size_t longest = 60;
+std::string shortened(const std::string& given, std::size_t longest) {
   std::string text = given.substr(0, longest);
   if (given.size() > longest) {
     // A character of several bytes is not cut in two.
@@ -53,7 +60,9 @@ std::string quoted(const std::string& given) {
   }
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  return "'" + text + "'";
+  return text;
 }
+
+std::string quoted(const std::string& given) { return "'" + shortened(given, 60) + "'"; }
 
 }  // namespace hawser

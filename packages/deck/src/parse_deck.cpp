@@ -11,6 +11,8 @@
 namespace hawser {
 namespace {
 
+constexpr int element_limit = 100000;
+
 /// From the offset in a text to line and column.
 class Places {
  public:
@@ -22,17 +24,21 @@ class Places {
   Location at(std::size_t offset) const {
     offset = std::min(offset, text_.size());
     const auto next = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
+    const std::size_t begin = *(next - 1);
+    // Counted on from the last place: a deck of one long line would take its length squared.
+    if (last_ > offset || last_ < begin) last_ = begin, last_column_ = 1;
     // Bytes that continue a character of UTF-8 are no columns of their own.
-    const auto begin = text_.begin() + static_cast<std::ptrdiff_t>(*(next - 1));
-    const auto column = std::count_if(begin, text_.begin() + static_cast<std::ptrdiff_t>(offset),
-                                      [](unsigned char c) { return (c & 0xC0) != 0x80; });
-    return {file_, static_cast<int>(next - line_begins_.begin()), static_cast<int>(column) + 1};
+    for (; last_ < offset; ++last_)
+      last_column_ += (static_cast<unsigned char>(text_[last_]) & 0xC0) != 0x80 ? 1 : 0;
+    return {file_, static_cast<int>(next - line_begins_.begin()), last_column_};
   }
 
  private:
   const std::string& text_;
   const std::string& file_;
   std::vector<std::size_t> line_begins_{0};
+  mutable std::size_t last_ = 0;
+  mutable int last_column_ = 1;
 };
 
 class Converter {
@@ -69,6 +75,7 @@ class Converter {
   Location place(const char* position) const { return places_.at(offset(position)); }
 
   DeckNode element(const pugi::xml_node& node, int depth) {
+    check_element(node);
     DeckNode result{node.name(), place(node.name()), {}, {}, {}};
     if (depth > deck_depth_limit)
       throw DeckError(result.location.text() + ": elements are nested too deeply; allowed: " +
@@ -76,12 +83,27 @@ class Converter {
     for (const pugi::xml_attribute attribute : node.attributes())
       add_attribute(result, attribute);
     for (const pugi::xml_node child : node) {
-      if (child.type() == pugi::node_element)
-        result.children.push_back(element(child, depth + 1));
-      else
+      if (child.type() == pugi::node_element) {
+        if (!is_foreign(child)) result.children.push_back(element(child, depth + 1));
+      } else
         refuse(child, "in <" + result.tag + ">");
     }
     return result;
+  }
+
+  void check_element(const pugi::xml_node& node) {
+    if (++elements_ > element_limit)
+      throw DeckError(place(node.name()).text() + ": the deck has more than " +
+                      std::to_string(element_limit) + " elements");
+  }
+
+  bool is_foreign(const pugi::xml_node& node) {
+    if (std::strchr(node.name(), ':') == nullptr) return false;
+    diagnostics_.error(place(node.name()),
+                       "<" + std::string(node.name()) +
+                           ">: XInclude and other namespaces are not allowed in a deck; "
+                           "extends=\"other.xml\" takes over another deck");
+    return true;
   }
 
   void add_attribute(DeckNode& node, const pugi::xml_attribute& attribute) {
@@ -124,6 +146,7 @@ class Converter {
   const std::string& text_;
   const std::string& buffer_;
   Diagnostics& diagnostics_;
+  int elements_ = 0;
 };
 
 /// Where the name of the innermost element stands that is still open at `end`; npos: none is. The

@@ -52,6 +52,9 @@ TEST(ParseDeck, WhatXmlAllowsButADeckDoesNot) {
             "d.xml:2:4: attribute 'b' of <a> is given twice, as '1' and as '3'; allowed: once");
   EXPECT_EQ(faults_of("\n<!DOCTYPE a [<!ENTITY x \"y\">]>\n<a/>"),
             "d.xml:2:1: a DOCTYPE is not allowed in a deck");
+  EXPECT_EQ(faults_of("<a>\n<xi:include href='b.xml'/></a>"),
+            "d.xml:2:2: <xi:include>: XInclude and other namespaces are not allowed in a deck; "
+            "extends=\"other.xml\" takes over another deck");
   EXPECT_EQ(faults_of("<a><?php x?></a>"),
             "d.xml:1:6: the processing instruction 'php' is not allowed in a deck");
   EXPECT_EQ(faults_of("<a/>\n<b/>"), "d.xml:2:2: <b> is a second root element; allowed: one");
@@ -80,6 +83,11 @@ TEST(ParseDeck, LimitsOfSizeAndDepth) {
     nested += "</a>";
   EXPECT_EQ(faults_of(nested),
             "thrown d.xml:1:194: elements are nested too deeply; allowed: 64 levels");
+  std::string many;
+  for (int i = 0; i < 100000; ++i)
+    many += "<b/>";
+  EXPECT_EQ(faults_of("<a>" + many + "</a>"),
+            "thrown d.xml:1:400001: the deck has more than 100000 elements");
   const std::string large = "<a>" + std::string(deck_size_limit, ' ') + "</a>";
   EXPECT_EQ(faults_of(large), "thrown d.xml: the deck is larger than the allowed 16 MB");
   EXPECT_EQ(faults_of(std::string("<a>\0</a>", 8)),

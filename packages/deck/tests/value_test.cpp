@@ -60,6 +60,33 @@ TEST(Value, WholeNumbers) {
   EXPECT_EQ(fault<int>("99999999999999"), "it is too large; whole numbers go up to 2147483647");
 }
 
+// Everything that is nearly a count, each with its own sentence.
+TEST(Value, WhatIsNoWholeNumberIsToldWhy) {
+  const std::string comma =
+      "a number has no comma; write 1000 or 1e3 for a thousand, 0.5 for a half, and blanks between "
+      "the values of a list";
+  const std::string braces =
+      "values are written without braces or brackets, and set apart by blanks: '0 -0.5'";
+  const std::pair<const char*, std::string> table[] = {
+      {"99999999999999", "it is too large; whole numbers go up to 2147483647"},
+      {"3.7", "a whole number is needed, such as 10, without a point or exponent"},
+      {"abc",
+       "a number is needed, such as 0.5 or 1e-3, or the name of a parameter; there are none"},
+      {"0.5abc", "'abc' after the number is not understood"},
+      {"1,000", comma},
+      {"1e-3m", "'m' after the number is not understood"},
+      {"nan", "a finite number is needed"},
+      {"inf", "a finite number is needed"},
+      {"1e400", "it is too large or too small for a number of double precision"},
+      {"{1,2,x}", braces},
+      {"{1;2}", braces},
+      {"5 m", "a count has no unit"},
+      {"1 2", "one value is needed, 2 are given"},
+      {"7/2", "a whole number is needed, and this is 3.5"}};
+  for (const auto& [text, sentence] : table)
+    EXPECT_EQ(fault<int>(text, {}, ""), sentence) << text;
+}
+
 TEST(Value, TruthAndWords) {
   EXPECT_TRUE(read<bool>("true"));
   EXPECT_FALSE(read<bool>("false"));
