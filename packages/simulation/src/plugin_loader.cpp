@@ -25,7 +25,7 @@ std::string find_plugin(const std::string& name, const std::string& folder) {
                       " only");
   if (folder.empty())
     throw PluginError(plugin + ": --plugin-dir is empty; give a folder, . for this one");
-  const std::string path = folder + "/" + name + ".so";
+  std::string path = folder + "/" + name + ".so";
   std::error_code none;
   if (!std::filesystem::exists(path, none))
     throw PluginError(plugin + " not found: there is no " + path);

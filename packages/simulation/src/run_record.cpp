@@ -28,7 +28,7 @@ void measure(const System& system, StepFigures& result) {
 }  // namespace
 
 RunRecord::RunRecord(System& system, const RunCase& run, const ResultFolder& folder,
-                     std::string mesh_file, RunLog& log, const CheckpointReader* earlier)
+                     const std::string& mesh_file, RunLog& log, const CheckpointReader* earlier)
     : system_(system),
       run_(run),
       folder_(folder),
@@ -75,7 +75,7 @@ std::string RunRecord::save_checkpoint(const StepControl& steps) {
   // A mesh beside the checkpoint is named without its folder, so that both can be moved.
   const bool beside = mesh_file_.parent_path() == std::filesystem::absolute(folder_.path());
   header.texts["mesh"] = (beside ? mesh_file_.filename() : mesh_file_).string();
-  const std::string path = folder_.file("checkpoint.h5");
+  std::string path = folder_.file("checkpoint.h5");
   save_history(*system_.dofs, system_.integrator->history(), header, path);
   system_.driver->forget();
   log_.wrote("checkpoint", step_, system_.integrator->history().time);

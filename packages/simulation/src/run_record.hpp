@@ -19,8 +19,8 @@ class RunRecord {
  public:
   /// Goes on from `earlier` unless that is null. All members are collective; OutputError on all
   /// ranks. The references must outlive the record.
-  RunRecord(System& system, const RunCase& run, const ResultFolder& folder, std::string mesh_file,
-            RunLog& log, const CheckpointReader* earlier);
+  RunRecord(System& system, const RunCase& run, const ResultFolder& folder,
+            const std::string& mesh_file, RunLog& log, const CheckpointReader* earlier);
 
   void rejected() { figures_.rejected(); }
   /// Takes an accepted step into account, numbers and measures it.
