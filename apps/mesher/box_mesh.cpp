@@ -174,6 +174,8 @@ void check(const BoxOptions& o) {
   require(!structured || (nx > 0 && ny > 0), "a structured mesh needs at least one cell each way");
   require(!structured || !o.cable,
           "a structured mesh has no cable; leave --structured or --cable out");
+  require(o.refinements >= 0 && o.refinements <= 10,
+          "a mesh can be refined 0 to 10 times, given " + std::to_string(o.refinements));
   require(structured || o.far_size > 0,
           "the far size must be positive, given " + number(o.far_size));
   if (!o.cable) return;
@@ -212,6 +214,8 @@ BoxSummary mesh_box(const BoxOptions& options) {
   gmsh::model::mesh::setSizeCallback(
       [&](int, int, double x, double y, double) { return size_at(options, x, y); });
   gmsh::model::mesh::generate(2);
+  for (int k = 0; k < options.refinements; ++k)
+    gmsh::model::mesh::refine();  // every triangle into four: nested meshes
   write(options.output);
   auto summary = measure();
   summary.segments = count_segments("cable");

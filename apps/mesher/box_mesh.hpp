@@ -14,6 +14,7 @@ struct BoxOptions {
   double growth = 0.15;             ///< of the size per distance from the cable
   double end_size = 0;              ///< at the ends of the cable; 0: as on the cable
   std::array<int, 2> structured{};  ///< cells in x and y; 0: not structured
+  int refinements = 0;              ///< how often every triangle is cut into four
   std::string flow_direction = "-y";
   std::string output;
 };

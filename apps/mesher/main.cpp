@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   app.add_option("--end-size", options.end_size, "segment length at the cable's ends");
   app.add_option("--structured", structured, "cells in x and y: a grid of right triangles")
       ->expected(2);
+  app.add_option("--refinements", options.refinements, "how often all triangles are quartered");
   app.add_option("--flow-direction", options.flow_direction, "where the water flows")
       ->capture_default_str()
       ->check(CLI::IsMember({"-y", "+y", "-x", "+x"}));

@@ -47,9 +47,9 @@ class Converge(harness.SystemTest):
             rows = list(csv.DictReader(file))
         self.assertEqual([int(row["nodes"]) for row in rows], [(2 * n + 1) * (n + 1) for n in (1, 2, 4, 8, 16)])
         self.assertEqual([float(row["d_error_l2"]) for row in rows], d["errors"])
-        self.assertIn('cells="8 4"', (folder / "level-2/resolved.xml").read_text())
+        self.assertIn('refinements="2"', (folder / "level-2/resolved.xml").read_text())
 
-    def test_sizes_with_units_and_formulas(self):
+    def test_unstructured_meshes_and_parameters(self):
         path = deck("sizes", inside='<parameter name="half" value="50 cm"/><converge levels="2"/>')
         path.write_text(path.read_text().replace('cells="2 1"', 'size="half"'))
         nodes = {}
@@ -59,8 +59,8 @@ class Converge(harness.SystemTest):
             with open(folder / "converge.csv", newline="") as file:
                 nodes[change] = [int(row["nodes"]) for row in csv.DictReader(file)]
         self.assertEqual(nodes["half=0.5"], nodes["mesh/water-box/size=500 mm"])
-        self.assertEqual(nodes["half=0.5"][1], nodes["half=25 cm"][0])
-        self.assertLess(2.5 * nodes["half=0.5"][0], nodes["half=0.5"][1])
+        for coarse, fine in nodes.values():
+            self.assertLess(3 * coarse, fine + 20)
 
     def test_norms_are_those_of_the_moved_region(self):
         # d = (X, 0) stretches the box to 4 x 1 and its bottom to a length of 4; off by (0.5, 0) from 0.5 X.

@@ -22,8 +22,10 @@ std::string text(double value) {
 
 template <class Box>
 std::vector<std::string> common_arguments(const Box& b, const std::string& path) {
-  return {"--box",           text(b.x_min), text(b.y_min),
-          text(b.x_max),     text(b.y_max), "--flow-direction=" + b.flow_direction,
+  return {"--box",           text(b.x_min),
+          text(b.y_min),     text(b.x_max),
+          text(b.y_max),     "--flow-direction=" + b.flow_direction,
+          "--refinements",   std::to_string(b.refinements),
           "--output=" + path};
 }
 

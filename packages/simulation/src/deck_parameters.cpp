@@ -102,7 +102,9 @@ Spec<TowBoxDeck> TowBoxDeck::spec() {
       .attribute("end-size", &P::end_size, "m", non_negative(),
                  "Segment length at the cable's ends; 0 for the same as on the cable.")
       .attribute("flow-direction", &P::flow_direction, flow_directions(),
-                 "Which boundary is the outflow.");
+                 "Which boundary is the outflow.")
+      .attribute("refinements", &P::refinements, between(0, 10),
+                 "How often every triangle of the mesh so described is cut into four.");
 }
 
 TowBox TowBoxDeck::box() const {
@@ -113,6 +115,7 @@ TowBox TowBoxDeck::box() const {
   box.cable_size = cable_size, box.far_size = far_size, box.growth = growth,
   box.end_size = end_size;
   box.flow_direction = flow_direction;
+  box.refinements = refinements;
   return box;
 }
 
@@ -126,6 +129,8 @@ Spec<WaterBoxDeck> WaterBoxDeck::spec() {
                  "Cells in x and y of a structured mesh; 0 0 for an unstructured one.")
       .attribute("flow-direction", &P::flow_direction, flow_directions(),
                  "Which boundary is the outflow.")
+      .attribute("refinements", &P::refinements, between(0, 10),
+                 "How often every triangle of the mesh so described is cut into four.")
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
         if ((p.size > 0) == (p.cells[0] > 0 && p.cells[1] > 0))
           diagnostics.error(where, "<water-box> needs either size or cells, and not both");
@@ -138,6 +143,7 @@ WaterBox WaterBoxDeck::box() const {
   box.size = size;
   box.cells[0] = static_cast<int>(cells[0]), box.cells[1] = static_cast<int>(cells[1]);
   box.flow_direction = flow_direction;
+  box.refinements = refinements;
   return box;
 }
 

@@ -11,11 +11,6 @@
 namespace hawser {
 namespace {
 
-/// The growth of cells with the distance from the cable is halved with the sizes: so all cells are
-/// halved, those between the cable and the far field too.
-const std::vector<std::string> lengths = {"size", "cable-size", "far-size", "end-size", "growth"};
-const std::vector<std::string> counts = {"cells", "segments"};
-
 DeckNode* child(DeckNode& node, const std::string& tag) {
   for (DeckNode& candidate : node.children)
     if (candidate.tag == tag) return &candidate;
@@ -28,37 +23,37 @@ const NodeSpec* spec_of_child(const NodeSpec& spec, const std::string& tag) {
   return nullptr;
 }
 
-/// Numbers stay numbers, a unit after them stays; formulas get a factor each.
+/// A number stays one, a unit after it stays; a formula gets the factor.
 std::string multiplied(const std::string& text, double factor) {
   std::istringstream words(text);
-  std::vector<double> numbers;
-  for (double number = 0; words >> number;)
-    numbers.push_back(number * factor);
+  double number = 0;
+  words >> number;
+  const bool starts_with_number = !words.fail();
   words.clear();
   std::string rest;
   std::getline(words >> std::ws, rest);
-  const bool unit = !numbers.empty() && !rest.empty() && std::isalpha(rest[0]) != 0;
-  if (!numbers.empty() && (rest.empty() || unit))
-    return write_value(numbers) + (unit ? " " + rest : "");
-  std::string result;
-  std::istringstream formulas(text);
-  for (std::string formula; std::getline(formulas, formula, ';');)
-    result += (result.empty() ? "(" : "; (") + formula + ")*" + write_value(factor);
-  return result;
+  const bool unit = !rest.empty() && std::isalpha(static_cast<unsigned char>(rest[0])) != 0;
+  if (starts_with_number && (rest.empty() || unit))
+    return write_value(number * factor) + (unit ? " " + rest : "");
+  return "(" + text + ")*" + write_value(factor);
 }
 
-/// An attribute, or its default where it is not given.
-void multiply(DeckNode& node, const AttributeSpec& attribute, double factor) {
-  auto given = std::find_if(node.attributes.begin(), node.attributes.end(),
-                            [&](const DeckAttribute& a) { return a.name == attribute.name; });
-  if (given == node.attributes.end()) {
-    if (attribute.default_text.empty()) return;
-    given = node.attributes.insert(given, {attribute.name, attribute.default_text, node.location});
-  }
-  given->value = multiplied(given->value, factor);
+std::string increased(const std::string& text, int by) {
+  const bool number = text.find_first_not_of("0123456789") == std::string::npos;
+  return number ? std::to_string(std::stoi(text) + by) : "(" + text + ") + " + std::to_string(by);
 }
 
-void refine_mesh(DeckNode& mesh, const NodeSpec& spec, double factor) {
+/// The text of an attribute, written out where it is not given.
+std::string& given_or_default(DeckNode& node, const AttributeSpec& attribute) {
+  for (DeckAttribute& given : node.attributes)
+    if (given.name == attribute.name) return given.value;
+  return node.attributes
+      .emplace_back(DeckAttribute{attribute.name, attribute.default_text, node.location})
+      .value;
+}
+
+/// Boxes are refined by cutting their triangles, so that meshes are nested.
+void refine_mesh(DeckNode& mesh, const NodeSpec& spec, int level) {
   for (DeckNode& source : mesh.children) {
     if (source.tag == "file")
       throw DeckError(source.location.text() +
@@ -66,37 +61,38 @@ void refine_mesh(DeckNode& mesh, const NodeSpec& spec, double factor) {
                       "generate its mesh");
     const NodeSpec* const known = spec_of_child(spec, source.tag);
     if (known == nullptr) continue;
-    const auto among = [](const std::vector<std::string>& names, const std::string& name) {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    };
     for (const AttributeSpec& attribute : known->attributes)
-      if (among(lengths, attribute.name))
-        multiply(source, attribute, 1 / factor);
-      else if (among(counts, attribute.name))
-        multiply(source, attribute, factor);
+      if (attribute.name == "refinements") {
+        std::string& text = given_or_default(source, attribute);
+        text = increased(text, level);
+      } else if (attribute.name == "segments") {
+        std::string& text = given_or_default(source, attribute);
+        text = multiplied(text, std::ldexp(1.0, level));
+      }
   }
 }
 
-void refine_time(DeckNode& time, const NodeSpec& spec, double factor) {
+void refine_time(DeckNode& time, const NodeSpec& spec, int level) {
   const DeckAttribute* const scheme = time.find_attribute("scheme");
   if (scheme != nullptr && scheme->value == "steady")
     throw DeckError(time.location.text() + ": a steady solve has no step to refine");
   for (const AttributeSpec& attribute : spec.attributes)
-    if (attribute.name == "step" || attribute.name == "least-step")
-      multiply(time, attribute, 1 / factor);
+    if (attribute.name == "step" || attribute.name == "least-step") {
+      std::string& text = given_or_default(time, attribute);
+      text = multiplied(text, std::ldexp(1.0, -level));
+    }
 }
 
 }  // namespace
 
 void refine(DeckNode& deck, const RefinedBy& refined) {
-  const double factor = std::ldexp(1.0, refined.level);
   const NodeSpec spec = RunDeck::spec().node_spec();
   DeckNode* const mesh = child(deck, "mesh");
   DeckNode* const time = child(deck, "time");
   if (refined.what != Refinement::time && mesh != nullptr)
-    refine_mesh(*mesh, *spec_of_child(spec, "mesh"), factor);
+    refine_mesh(*mesh, *spec_of_child(spec, "mesh"), refined.level);
   if (refined.what != Refinement::space && time != nullptr)
-    refine_time(*time, *spec_of_child(spec, "time"), factor);
+    refine_time(*time, *spec_of_child(spec, "time"), refined.level);
   deck.children.erase(std::remove_if(deck.children.begin(), deck.children.end(),
                                      [](const DeckNode& node) { return node.tag == "expect"; }),
                       deck.children.end());

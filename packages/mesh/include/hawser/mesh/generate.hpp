@@ -18,6 +18,7 @@ struct TowBox {
   double growth = 0.15;               ///< of the size per distance from the cable
   double end_size = 0;                ///< segment length at the cable's ends; 0: as on the cable
   std::string flow_direction = "-y";  ///< -y, +y, -x or +x
+  int refinements = 0;                ///< how often every triangle is cut into four
 };
 
 /// A box of water alone, for verification.
@@ -26,6 +27,7 @@ struct WaterBox {
   double size = 0;        ///< of unstructured triangles, m
   int cells[2] = {0, 0};  ///< not 0: a grid of right triangles instead
   std::string flow_direction = "-y";
+  int refinements = 0;
 };
 
 /// A straight line alone, in the plane or in space.

@@ -18,6 +18,7 @@ struct TowBoxDeck {
   std::vector<double> min, max, tow_point = {0, 0}, tail;
   double cable_size = 10, far_size = 500, growth = 0.15, end_size = 0;
   std::string flow_direction = "-y";
+  int refinements = 0;
   static Spec<TowBoxDeck> spec();
   TowBox box() const;
 };
@@ -27,6 +28,7 @@ struct WaterBoxDeck {
   double size = 0;
   std::vector<double> cells = {0, 0};
   std::string flow_direction = "-y";
+  int refinements = 0;
   static Spec<WaterBoxDeck> spec();
   WaterBox box() const;
 };
