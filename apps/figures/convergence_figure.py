@@ -15,8 +15,8 @@ plt.rcParams.update({"svg.hashsalt": "hawser", "svg.fonttype": "none", "font.siz
 COLOURS = ["tab:blue", "tab:red", "tab:green", "tab:purple"]
 
 
-def draw(result, stem):
-    """One line per judged quantity (all of them where none is), with a dashed slope of the order asked for."""
+def draw(result, stem, picture=True):
+    """One line per judged quantity (all of them where none is), with a dashed slope of the order asked for; without picture the SVG alone."""
     quantities = result["quantities"]
     chosen = {name: q for name, q in quantities.items() if "at_least" in q} or quantities
     figure, axes = plt.subplots(figsize=(3.4, 2.6))
@@ -38,7 +38,8 @@ def draw(result, stem):
     axes.grid(alpha=0.3)
     axes.legend(title="order, finest pair (dashed: asked for)", frameon=False, title_fontsize=8)
     figure.tight_layout(pad=0.4)
-    figure.savefig(f"{stem}.png", dpi=160)
+    if picture:
+        figure.savefig(f"{stem}.png", dpi=160)
     figure.savefig(f"{stem}.svg", metadata={"Date": None})
     plt.close(figure)
 

@@ -54,6 +54,19 @@ def mesh_force(d, poisson=sp.Rational(3, 10)):
     return [-sum(sp.diff(stress[i, j], (X, Y)[j]) for j in (0, 1)) for i in (0, 1)]
 
 
+def cable_load(place, S, mass, stiffness, bending=0, damping=0):
+    """m d'' + k d' - (N x')' + (EI (I - tt) t''/|x'|)' of a cable that lies on the line S."""
+    slope = [sp.diff(c, S) for c in place]
+    length = sp.sqrt(sum(c**2 for c in slope))
+    tension = stiffness * (sum(c**2 for c in slope) - 1) / 2
+    tangent = [c / length for c in slope]
+    turn = [sp.diff(c, S, 2) for c in tangent]
+    along = sum(a * b for a, b in zip(tangent, turn))
+    return [mass * sp.diff(c, t, 2) + damping * sp.diff(c, t)
+            - sp.diff(tension * slope[i] - bending * (turn[i] - along * tangent[i]) / length, S)
+            for i, c in enumerate(place)]
+
+
 DECKS = {}
 
 
@@ -215,8 +228,136 @@ def mesh_space():
 {orders("space", 4, d_error_l2=(1.9, "2: linear displacement"))}""")
 
 
+def cable_deck(name, title, header, place, cable, segments, time, order):
+    """A cable alone on the line from (0, 0) to (1, 0), its ends led, the rest carried by loads."""
+    d = [place[0] - X, place[1]]
+    v = [sp.diff(c, t) for c in d]
+    options = {"mass": 1, "stiffness": 10, "damping": sp.Rational(1, 2), **cable}
+    bending = f' bending-stiffness="{float(options["bending"])}"' if "bending" in options else ""
+    deck(name, title, header, f"""
+  <mesh><line from="0 0" to="1 0" segments="{segments}"/></mesh>
+  <modules>
+    <cable region="cable" mass-per-length="1" axial-stiffness="10" damping="0.5"{bending}
+           load="{text(*cable_load(place, X, **options))}"/>
+  </modules>
+  <conditions>
+    <initial field="displacement" on="cable" value="{text(*d)}"/>
+    <initial field="velocity" on="cable" value="{text(*v)}"/>
+    <prescribe field="displacement" on="tow-point tail" value="{text(*d)}"/>
+  </conditions>
+{time}
+{errors("cable", displacement=d, velocity=v)}
+{order}""")
+
+
+def cable_space():
+    swing = sp.sin(2 * t) / 10
+    place = [X * sp.Rational(11, 10) + swing * sp.sin(2 * sp.pi * X) / 8, swing * sp.sin(sp.pi * X)]
+    time = '  <time scheme="generalised-alpha" rho-infinity="0.5" step="0.05" end="0.5"/>'
+    order = orders("both", 4, d_error_l2=(1.9, "2: linear shapes"), v_error_l2=(1.9, "2: linear shapes"))
+    cable_deck("cable_space", "A cable alone: order in space and time together", """
+  A stretched cable swings along and across itself.""", place, {}, 8, time, order)
+
+
+def cable_time():
+    place = [X * (sp.Rational(11, 10) + sp.sin(3 * t) / 20) + sp.sin(2 * t) / 5,
+             X * sp.cos(2 * t) / 5 + sp.sin(3 * t) / 10]
+    title = "A straight cable that stretches and turns: order in time"
+    cable_deck("cable_time", title + ": Newmark's method with gamma = 0.6", """
+  Position and velocity are linear along the cable at every instant: all error is the time scheme's.""", place, {}, 4,
+               '  <time step="0.1" end="1"/>',
+               orders("time", 4, d_error_l2=(0.9, "1: gamma above 0.5"), v_error_l2=(0.9, "1: gamma above 0.5")))
+    schemes("cable_time", title, ["d_error_l2", "v_error_l2"])
+
+
+def tow(name, title, header, d, v, p, place, S, ends, more, time, order):
+    """Fluid, cable and mesh with shared nodes, in the box from -1 to 1."""
+    nu = sp.Rational(1, 20)
+    deck(name, title, header, f"""
+  <mesh slits="cable">
+    <tow-box min="-1 -1" max="1 1" tow-point="{ends[0]}" tail="{ends[1]}" cable-size="0.25" far-size="0.25"/>
+  </mesh>
+  <modules>
+    <ale-fluid region="water" density="1" viscosity="{float(nu)}"
+               body-force="{more["force"]}"/>
+    <cable region="cable" mass-per-length="1" axial-stiffness="10" damping="0.5"
+           load="{more["load"]}"/>
+    <mesh-motion region="water" reference="total" stiffening-power="0"{more["mesh"]}/>
+  </modules>
+  <conditions>
+    <initial field="displacement" on="water" value="{text(*d)}"/>
+    <initial field="displacement" on="cable" value="{text(place[0] - S[0], place[1] - S[1])}"/>
+    <initial field="velocity" on="water" value="{text(*v)}"/>
+    <prescribe field="displacement" on="{SIDES}" value="{text(*d)}"/>
+    <prescribe field="displacement" on="tow-point tail" value="{text(place[0] - S[0], place[1] - S[1])}"/>
+    <prescribe field="velocity" on="{SIDES}" value="{text(*v)}"/>
+    <prescribe field="pressure" on="corner" value="{more["corner"]}"/>
+  </conditions>
+{time}
+{errors("water", velocity=v)}
+  <error name="p" field="pressure" on="water" exact="{p}" up-to-constant="true"/>
+  <error name="cable" field="displacement" on="cable" exact="{text(place[0] - S[0], place[1] - S[1])}"/>
+{more.get("errors", "")}
+{order}""")
+
+
+def coupled_space():
+    nu, stretch = sp.Rational(1, 20), sp.Rational(21, 20)
+    heave = sp.sin(2 * t) / 5
+    across = heave * sp.cos(sp.pi * X / 2)           # of the cable, and of the flow's particles
+    v = [sp.Integer(0), sp.diff(across, t).subs(X, x / stretch)]
+    bubble = Y * (1 - X**2) * (1 - Y**2)
+    d = [(stretch - 1) * X + sp.sin(3 * t) * bubble / 2, across * (1 - Y**2)]
+    smooth = sp.cos(x) * sp.sin(y) * sp.cos(t)
+    # The pressure's jump across the cable, smooth along it and zero at its ends.
+    tip = stretch / 2
+    jump = 8 * (tip**2 - x**2)**2 * (1 + t)
+    slope = sp.diff(jump, x) / 2
+    inside = f"abs(x) < {float(tip)}"
+    side = "(Y > 0 ? 1 : -1)"
+    force = fluid_force(v, smooth, nu)
+    place = [stretch * X, across]
+    load = cable_load(place, X, 1, 10, damping=sp.Rational(1, 2))
+    normal = [-sp.diff(place[1], X), sp.diff(place[0], X)]
+    load = [f + jump.subs(x, stretch * X) * n for f, n in zip(load, normal)]
+    tow("coupled_space", "Flow, cable and mesh with shared nodes: order in space and time together", """
+  A stretched cable is carried by a shear flow, v = d' on it, with the pressure jumping across it; the mesh moves in
+  its own way under a force of its own. What the fluid does to the cable, and the cable's own balance, is made up for by
+  the cable's load. The sides of the box stand in the flow's direction, so the flow that enters leaves again, also as
+  interpolated.""", d, v, f"{text(smooth)} + ({inside} ? {text(jump / 2)} : 0)*{side}", place, [X, 0],
+        ("-0.5 0", "0.5 0"),
+        {"force": f"{text(force[0])} + ({inside} ? {text(slope)} : 0)*{side}; {text(force[1])}",
+         "load": text(*load), "mesh": f'\n                 body-force="{text(*mesh_force(d))}"',
+         "corner": text(smooth), "errors": errors("water", displacement=d)},
+        '  <time scheme="generalised-alpha" rho-infinity="0.5" step="0.05" end="0.25"/>',
+        orders("both", 4, v_error_l2=(1.9, "2: linear velocity"), d_error_l2=(1.9, "2: linear displacement"),
+               cable_error_l2=(1.9, "2: linear displacement"),
+               p_error_l2=(1.4, "1.5: linear pressure with PSPG")))
+
+
+def coupled_time():
+    stretch = sp.Rational(21, 20)
+    lean, drift, rise = sp.sin(3 * t) / 5, sp.sin(2 * t) / 5, sp.cos(3 * t) / 10
+    place = [lean * Y + drift, stretch * Y + rise]     # of the cable, X = 0
+    v = [sp.diff(lean, t) * (y - rise) / stretch + sp.diff(drift, t), sp.diff(rise, t)]
+    p = sp.cos(3 * t) * x + sp.sin(2 * t) * y
+    # The sides are carried along; the mesh between them and the cable finds its own way.
+    d = [drift, rise]
+    title = "Flow, cable and mesh with shared nodes, linear in space: order in time"
+    tow("coupled_time", title + ": Newmark's method with gamma = 0.6", """
+  The flow shears and carries a straight, stretched cable; velocity, pressure and the cable's position are linear in
+  space at every instant, and the mesh moves as its elasticity says: all error is the time scheme's.""", d, v, text(p),
+        place, [0, Y], ("0 0.5", "0 -0.5"),
+        {"force": text(*fluid_force(v, p, sp.Rational(1, 20))),
+         "load": text(*cable_load(place, Y, 1, 10, damping=sp.Rational(1, 2))), "mesh": "", "corner": text(p)},
+        '  <time step="0.1" end="1"/>',
+        orders("time", 4, **{q: (0.9, "1: gamma above 0.5") for q in ("v_error_l2", "p_error_l2", "cable_error_l2")}))
+    schemes("coupled_time", title, ["v_error_l2", "p_error_l2", "cable_error_l2"])
+
+
 def main():
-    for build in (taylor_green, fluid_space, fluid_time, mesh_space):
+    for build in (taylor_green, fluid_space, fluid_time, mesh_space, cable_space, cable_time, coupled_space,
+                  coupled_time):
         build()
     wrong = [name for name, content in DECKS.items()
              if "--check" in sys.argv and (HERE / name).read_text() != content]

@@ -1,0 +1,163 @@
+"""Makes doc/verification.md and its plots from what the tests measured.
+
+python3 tests/verification/page.py            # write, from build/tests
+python3 tests/verification/page.py --check    # exit code 1 when the committed page is stale
+
+Sources: build/tests/figures/*.json (tests/support/figure.hpp), and the folders of the tests of decks in
+build/tests/run: converge.json of `hawser converge`, the expectations in summary.json of `hawser run`. Only tests that
+ctest knows count. A row is not stale when its test was not run here, and its number may differ within the tolerance.
+"""
+import argparse
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "doc/verification.md"
+sys.path.insert(0, str(ROOT / "apps/figures"))
+
+HEAD = """# Verification
+
+Made from runs by `tests/verification/page.py`; do not edit. Every number was printed by a test of this repository, with
+the reference it is judged by, the difference that is allowed, and the command that makes it again (`build/` is the
+build folder; `ctest -L slow` has the longer ones). How the tests are written: [testing.md](testing.md).
+"""
+
+
+def number(value):
+    return f"{value:.4g}"
+
+
+def holds(row):
+    above = row["value"] - row["reference"]
+    return abs(above) <= row["tolerance"] or (row["is"] == "at-least" and above > 0) or (
+        row["is"] == "at-most" and above < 0)
+
+
+def known_tests(build):
+    said = subprocess.run(["ctest", "--test-dir", str(build), "-N"], capture_output=True, text=True, check=True).stdout
+    return re.findall(r"Test\s+#\d+: (\S+)", said)
+
+
+def recorded(build):
+    return [json.loads(path.read_text()) for path in sorted((build / "tests/figures").glob("*.json"))]
+
+
+def expected(build, tests):
+    rows = []
+    for path in sorted((build / "tests/run").glob("deck.*.np*/summary.json")) + sorted(
+            (build / "tests/run").glob("deck.*/summary.json")):
+        name = path.parent.name
+        if not any(test == name or test.startswith(name + ".np") for test in tests):
+            continue
+        summary = json.loads(path.read_text())
+        for quantity, entry in summary.get("expectations", {}).items():
+            if isinstance(entry, dict) and isinstance(entry["got"], float | int):
+                rows.append({"name": f"{name}.{quantity}", "section": "Decks", "what": f"{name[5:]}: {quantity}",
+                             "unit": "", "value": entry["got"], "reference": entry["expected"],
+                             "tolerance": entry["within"], "is": "within", "source": entry["why"],
+                             "command": f"ctest --test-dir build -R '^{name}'"})
+    return rows
+
+
+def converged(build, tests):
+    """(row, result) per judged quantity of each study."""
+    found = []
+    for path in sorted((build / "tests/run").glob("converge.*/converge.json")):
+        name = path.parent.name
+        if not any(test.startswith(name + ".np") for test in tests):
+            continue
+        result = json.loads(path.read_text())
+        for quantity, entry in result["quantities"].items():
+            if "at_least" in entry:
+                found.append(({"name": f"{name}.{quantity}", "section": "Orders of accuracy",
+                               "what": f"{result['title']}: {quantity}", "unit": "1", "value": entry["finest_pair"],
+                               "reference": entry["at_least"], "tolerance": 0, "is": "at-least",
+                               "source": entry["why"], "command": f"ctest --test-dir build -R '^{name}[.]'",
+                               "fitted": entry["fitted"], "error": entry.get("fitted_standard_error", float("nan"))},
+                              (name, result)))
+    return found
+
+
+def table(rows):
+    lines = ["| figure | value | reference | allowed | why | command |", "|---|---|---|---|---|---|"]
+    for row in rows:
+        unit = "" if row["unit"] in ("", "1") else " " + row["unit"]
+        allowed = {"within": "± ", "at-least": "at least − ", "at-most": "at most + "}[row["is"]] + number(row["tolerance"])
+        lines.append(f"| <!-- {row['name']} -->{row['what']} | {number(row['value'])}{unit} | {number(row['reference'])}"
+                     f" | {allowed} | {row['source']} | `{row['command']}` |")
+    return "\n".join(lines) + "\n"
+
+
+def order_table(studies):
+    lines = ["| study | order, finest pair | fitted | asked for | why | command |", "|---|---|---|---|---|---|"]
+    for row, _ in studies:
+        lines.append(f"| <!-- {row['name']} -->{row['what']} | {row['value']:.3f} | {row['fitted']:.3f} ± {row['error']:.3f}"
+                     f" | ≥ {number(row['reference'])} | {row['source']} | `{row['command']}` |")
+    return "\n".join(lines) + "\n"
+
+
+def page(rows, studies):
+    parts = [HEAD, "\n## Orders of accuracy\n\nErrors against manufactured solutions "
+             "(`inputs/verification`; `hawser converge`), on meshes that move. The fitted order is that of least squares "
+             "over all levels, with its standard error.\n\n", order_table(studies), "\n"]
+    drawn = []
+    for _, (name, result) in studies:
+        if name not in drawn:
+            drawn.append(name)
+            parts.append(f"![{result['title']}](images/{name}.svg)\n")
+    sections = {}
+    for row in rows:
+        sections.setdefault(row["section"], []).append(row)
+    for section in sorted(sections, key=lambda s: (s != "Orders of accuracy", s)):
+        title = "Further orders" if section == "Orders of accuracy" else section
+        parts.append(f"\n## {title}\n\n{table(sections[section])}")
+    return "".join(parts), drawn
+
+
+def stale(text, rows):
+    """What is wrong with the committed page, as sentences."""
+    committed = {}
+    for line in text.splitlines():
+        match = re.match(r"\| <!-- (\S+) -->.*? \| ([-+.\deE]+)", line)
+        if match:
+            committed[match.group(1)] = float(match.group(2))
+    faults = []
+    for row in rows:
+        if row["name"] not in committed:
+            faults.append(f"{row['name']} is not on the page")
+        elif not holds({**row, "value": committed[row["name"]]}):
+            faults.append(f"{row['name']} is {committed[row['name']]} on the page, which the test would not accept")
+    return faults, committed
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--build", type=Path, default=ROOT / "build")
+    parser.add_argument("--check", action="store_true")
+    given = parser.parse_args()
+    tests = known_tests(given.build)
+    studies = converged(given.build, tests)
+    rows = recorded(given.build) + expected(given.build, tests)
+    wrong = [row["name"] for row in rows + [row for row, _ in studies] if not holds(row)]
+    if wrong:
+        sys.exit("these tests failed: " + ", ".join(wrong))
+    if given.check:
+        faults, committed = stale(PAGE.read_text(), rows + [row for row, _ in studies])
+        stems = {name.split(".")[0] for name in (re.sub(r"[.]np\d+$", "", test) for test in tests)}
+        faults += [f"{name} is on the page, and no test is called {name.split('.')[0]}" for name in committed
+                   if name.split(".")[0] not in stems]
+        sys.exit("\n".join([*faults, "python3 tests/verification/page.py writes the page anew"]) if faults else 0)
+    from convergence_figure import draw
+    text, drawn = page(rows, studies)
+    results = {name: result for _, (name, result) in studies}
+    for name in drawn:
+        draw(results[name], ROOT / "doc/images" / name, picture=False)
+    PAGE.write_text(text)
+    print(f"{PAGE}: {len(rows) + len(studies)} figures, {len(drawn)} plots")
+
+
+if __name__ == "__main__":
+    main()
