@@ -210,7 +210,7 @@ def fluid_time():
     <mesh-motion region="water"/>
   </modules>
 {moving_water(CARRIED, v, p)}
-  <time step="0.1" end="1"/>
+  <time step="0.05" end="1"/>
 {errors("water", velocity=v, pressure=p)}
 {orders("time", 4, v_error_l2=(0.9, "1: gamma above 0.5"), p_error_l2=(0.9, "1: gamma above 0.5"))}""")
     schemes("fluid_time", title, ["v_error_l2", "p_error_l2"])
@@ -330,7 +330,7 @@ def coupled_space():
          "load": text(*load), "mesh": f'\n                 body-force="{text(*mesh_force(d))}"',
          "corner": text(smooth), "errors": errors("water", displacement=d)},
         '  <time scheme="generalised-alpha" rho-infinity="0.5" step="0.05" end="0.25"/>',
-        orders("both", 4, v_error_l2=(1.9, "2: linear velocity"), d_error_l2=(1.9, "2: linear displacement"),
+        orders("both", 3, v_error_l2=(1.9, "2: linear velocity"), d_error_l2=(1.9, "2: linear displacement"),
                cable_error_l2=(1.9, "2: linear displacement"),
                p_error_l2=(1.4, "1.5: linear pressure with PSPG")))
 
@@ -341,17 +341,18 @@ def coupled_time():
     place = [lean * Y + drift, stretch * Y + rise]     # of the cable, X = 0
     v = [sp.diff(lean, t) * (y - rise) / stretch + sp.diff(drift, t), sp.diff(rise, t)]
     p = sp.cos(3 * t) * x + sp.sin(2 * t) * y
-    # The sides are carried along; the mesh between them and the cable finds its own way.
-    d = [drift, rise]
+    # At rest in the mesh's elasticity from the start: a mesh that had to find its place would jump in the first step.
+    d = [lean * Y + drift + X * (1 - X**2) * (1 - Y**2) * sp.sin(4 * t) / 5, (stretch - 1) * Y + rise]
     title = "Flow, cable and mesh with shared nodes, linear in space: order in time"
     tow("coupled_time", title + ": Newmark's method with gamma = 0.6", """
   The flow shears and carries a straight, stretched cable; velocity, pressure and the cable's position are linear in
-  space at every instant, and the mesh moves as its elasticity says: all error is the time scheme's.""", d, v, text(p),
+  space at every instant: all error is the time scheme's. The mesh moves in its own way under a force.""", d, v, text(p),
         place, [0, Y], ("0 0.5", "0 -0.5"),
         {"force": text(*fluid_force(v, p, sp.Rational(1, 20))),
-         "load": text(*cable_load(place, Y, 1, 10, damping=sp.Rational(1, 2))), "mesh": "", "corner": text(p)},
-        '  <time step="0.1" end="1"/>',
-        orders("time", 4, **{q: (0.9, "1: gamma above 0.5") for q in ("v_error_l2", "p_error_l2", "cable_error_l2")}))
+         "load": text(*cable_load(place, Y, 1, 10, damping=sp.Rational(1, 2))),
+         "mesh": f'\n                 body-force="{text(*mesh_force(d))}"', "corner": text(p)},
+        '  <time step="0.05" end="1"/>',
+        orders("time", 3, **{q: (0.9, "1: gamma above 0.5") for q in ("v_error_l2", "p_error_l2", "cable_error_l2")}))
     schemes("coupled_time", title, ["v_error_l2", "p_error_l2", "cable_error_l2"])
 
 
