@@ -4,25 +4,12 @@
 #include <cctype>
 
 #include "hawser/deck/diagnostics.hpp"
+#include "hawser/deck/ramp.hpp"
 #include "hawser/deck/spec_reader.hpp"
 #include "src/number.hpp"
 
 namespace hawser {
 namespace {
-
-double ramp(double t, double start, double duration) {
-  if (t <= start) return 0;
-  if (t >= start + duration) return 1;
-  const double s = (t - start) / duration;
-  return s * s * s * (10 + s * (-15 + s * 6));
-}
-
-double ramp_distance(double t, double start, double duration) {
-  if (t <= start) return 0;
-  if (t >= start + duration) return t - start - duration / 2;
-  const double s = (t - start) / duration;
-  return duration * s * s * s * s * (2.5 + s * (-3 + s));
-}
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }

@@ -32,23 +32,24 @@ void check_units(const Located<Expressions>& values, const FieldDescription& fie
 }  // namespace
 
 Conditions::Conditions(const Assembler& assembler, const std::vector<RateRule>& rate_rules,
-                       const ConditionsDeck& deck, Diagnostics& diagnostics)
+                       const ConditionsDeck& deck, const Tracks& tracks, Diagnostics& diagnostics)
     : assembler_(assembler), dofs_(assembler.dofs()), rate_rules_(rate_rules) {
   velocity_of_.assign(static_cast<std::size_t>(dofs_.rows()), -1);
   for (const auto& pair : assembler.kinematic_pairs())
     velocity_of_[static_cast<std::size_t>(pair.displacement)] = pair.velocity;
   for (const ConditionDeck& condition : deck.initial)
-    initial_.push_back(resolve(condition, diagnostics));
+    initial_.push_back(resolve(condition, tracks, diagnostics));
   for (const ConditionDeck& condition : deck.prescribe) {
-    prescribed_.push_back(resolve(condition, diagnostics));
-    for (const Expression& value : condition.value.value)
-      follow_the_mesh_ = follow_the_mesh_ || value.depends_on_moved_position();
+    prescribed_.push_back(resolve(condition, tracks, diagnostics));
+    follow_the_mesh_ = follow_the_mesh_ || prescribed_.back().source->depends_on_moved_position();
   }
 }
 
-Conditions::Entry Conditions::resolve(const ConditionDeck& deck, Diagnostics& diagnostics) const {
+Conditions::Entry Conditions::resolve(const ConditionDeck& deck, const Tracks& tracks,
+                                      Diagnostics& diagnostics) const {
   Entry entry;
-  entry.value = deck.value;
+  entry.source = make_source(dofs_.mesh().communicator, deck, tracks, diagnostics);
+  const Location& place = source_location(deck);
   entry.from = deck.from.value_or(entry.from);
   entry.until = deck.until.value_or(entry.until);
   entry.is_displacement = deck.field.value == field_name::displacement;
@@ -67,21 +68,21 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, Diagnostics& di
                                                    "' has no component " + deck.component.value +
                                                    " here; it has " + component_names(components));
   const std::size_t wanted = all ? static_cast<std::size_t>(components) : 1;
-  if (entry.value.size() != wanted)
-    diagnostics.error(
-        deck.value.location,
-        std::to_string(wanted) + (wanted == 1 ? " value" : " values") + " needed for " +
-            (all ? "the components " + component_names(components)
-                 : "component " + deck.component.value) +
-            " of field '" + deck.field.value + "', " + std::to_string(entry.value.size()) +
-            " given; formulas are set apart by ';'");
-  check_units(deck.value, dofs_.fields()[static_cast<std::size_t>(field)], diagnostics);
-  for (const Expression& value : entry.value)
-    if (entry.is_displacement && value.depends_on_moved_position())
-      diagnostics.error(
-          deck.value.location,
-          "a displacement cannot depend on x, y or z, the moved position that follows "
-          "from it; use the reference coordinates X, Y, Z");
+  const auto given = static_cast<std::size_t>(entry.source->components());
+  if (given != wanted)
+    diagnostics.error(place, std::to_string(wanted) + (wanted == 1 ? " value" : " values") +
+                                 " needed for " +
+                                 (all ? "the components " + component_names(components)
+                                      : "component " + deck.component.value) +
+                                 " of field '" + deck.field.value + "', " + std::to_string(given) +
+                                 " given" + (deck.value ? "; formulas are set apart by ';'" : ""));
+  if (deck.value)
+    check_units(*deck.value, dofs_.fields()[static_cast<std::size_t>(field)], diagnostics);
+  if (entry.is_displacement && entry.source->depends_on_moved_position())
+    diagnostics.error(place,
+                      "a displacement cannot depend on x, y or z, the moved position that follows "
+                      "from it" +
+                          std::string(deck.value ? "; use the reference coordinates X, Y, Z" : ""));
   for (const std::string& name : deck.on.value) {
     const Region* const region = find_region(dofs_.mesh(), name, deck.on.location, diagnostics);
     if (region == nullptr) continue;
@@ -124,53 +125,65 @@ void Conditions::set_initial(State& state) const {
 }
 
 void Conditions::set_initial(const Entry& entry, State& state) const {
+  const ValueSource& source = *entry.source;
+  const auto components = static_cast<std::size_t>(source.components());
+  std::vector<double> values(components), rates(components);
   for (const LocalIndex first : entry.first_rows) {
     const SpaceTime at = point(first, state);
     const LocalIndex moved = displacement_at(first);
-    for (std::size_t c = 0; c < entry.value.size(); ++c) {
+    source.value(at, values.data());
+    source.time_derivative(at, rates.data());
+    for (std::size_t c = 0; c < components; ++c) {
       const auto row = static_cast<std::size_t>(first + entry.first_component) + c;
-      const Expression& value = entry.value[c];
-      state.value[row] = value(at);
-      state.rate[row] = value.depends_on_time() ? value.time_derivative(at) : 0;
-      if (moved < 0 || !value.depends_on_moved_position()) continue;
-      const auto slope = value.gradient(at);  // the node is carried along
+      state.value[row] = values[c];
+      state.rate[row] = rates[c];
+      if (moved < 0 || !source.depends_on_moved_position(static_cast<int>(c))) continue;
+      double slope[3];
+      source.gradient(at, static_cast<int>(c), slope);  // the node is carried along
       for (int j = 0; j < dofs_.mesh().dimension; ++j)
-        state.rate[row] +=
-            slope[static_cast<std::size_t>(j)] * state.rate[static_cast<std::size_t>(moved + j)];
+        state.rate[row] += slope[j] * state.rate[static_cast<std::size_t>(moved + j)];
     }
   }
 }
 
 std::vector<PrescribedRow> Conditions::prescribed(const State& state, const State& end) const {
   std::vector<PrescribedRow> result;
-  // The slack of step control: an end of a step this near to an edge is the edge.
-  const double slack = std::isfinite(end.step) ? 1e-6 * end.step : 0;
-  const bool moves = std::isfinite(end.step);  // else steady: a place without a velocity
   dofs_.mesh().communicator.together([&] {
-    for (const Entry& entry : prescribed_) {
-      if (end.time <= entry.from + slack || end.time > entry.until + slack) continue;
-      for (const LocalIndex first : entry.first_rows) {
-        if (first >= dofs_.owned()) continue;
-        const SpaceTime at = point(first, entry.has_rate ? end : state);
-        for (std::size_t c = 0; c < entry.value.size(); ++c) {
-          const LocalIndex row = first + entry.first_component + static_cast<LocalIndex>(c);
-          const Expression& value = entry.value[c];
-          PrescribedRow prescribed{row, value(at)};
-          if (value.depends_on_moved_position()) {
-            const auto slope = value.gradient(at);
-            prescribed.displacement = displacement_at(first);
-            std::copy(slope.begin(), slope.end(), prescribed.slope);
-          }
-          result.push_back(prescribed);
-          const LocalIndex velocity = velocity_of_[static_cast<std::size_t>(row)];
-          if (velocity >= 0)
-            result.push_back(
-                {velocity, moves && value.depends_on_time() ? value.time_derivative(at) : 0});
-        }
-      }
-    }
+    for (const Entry& entry : prescribed_)
+      prescribe(entry, state, end, result);
   });
   return result;
+}
+
+void Conditions::prescribe(const Entry& entry, const State& state, const State& end,
+                           std::vector<PrescribedRow>& result) const {
+  // The slack of step control: an end of a step this near to an edge is the edge.
+  const bool moves = std::isfinite(end.step);  // else steady: a place without a velocity
+  const double slack = moves ? 1e-6 * end.step : 0;
+  if (end.time <= entry.from + slack || end.time > entry.until + slack) return;
+  const ValueSource& source = *entry.source;
+  const auto components = static_cast<std::size_t>(source.components());
+  std::vector<double> values(components), rates(components);
+  for (const LocalIndex first : entry.first_rows) {
+    if (first >= dofs_.owned()) continue;
+    const SpaceTime at = point(first, entry.has_rate ? end : state);
+    source.value(at, values.data());
+    bool rates_known = false;
+    for (std::size_t c = 0; c < components; ++c) {
+      const LocalIndex row = first + entry.first_component + static_cast<LocalIndex>(c);
+      PrescribedRow prescribed{row, values[c]};
+      if (source.depends_on_moved_position(static_cast<int>(c))) {
+        source.gradient(at, static_cast<int>(c), prescribed.slope);
+        prescribed.displacement = displacement_at(first);
+      }
+      result.push_back(prescribed);
+      const LocalIndex velocity = velocity_of_[static_cast<std::size_t>(row)];
+      if (velocity < 0) continue;
+      if (!rates_known) source.time_derivative(at, rates.data());
+      rates_known = true;
+      result.push_back({velocity, moves ? rates[c] : 0});
+    }
+  }
 }
 
 std::vector<double> Conditions::events() const {

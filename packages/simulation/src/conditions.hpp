@@ -1,18 +1,21 @@
 #pragma once
 // Initial and prescribed values, resolved to rows.
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "hawser/assembly/constraints.hpp"
 #include "hawser/simulation/deck_parameters.hpp"
+#include "src/sources.hpp"
 
 namespace hawser {
 
 class Conditions {
  public:
-  /// Faults (unknown field, region, component) go to `diagnostics`; the same on all ranks.
+  /// Faults (unknown field, region, component, a bad table) go to `diagnostics`; the same on all
+  /// ranks. Collective.
   Conditions(const Assembler& assembler, const std::vector<RateRule>& rate_rules,
-             const ConditionsDeck& deck, Diagnostics& diagnostics);
+             const ConditionsDeck& deck, const Tracks& tracks, Diagnostics& diagnostics);
 
   /// Values at the start and, where a value depends on time, its rate.
   void set_initial(State& state) const;
@@ -35,12 +38,14 @@ class Conditions {
     bool is_displacement = false;
     bool has_rate = true;
     int first_component = 0;
-    Expressions value;
+    std::shared_ptr<const ValueSource> source;
     double from = -std::numeric_limits<double>::infinity();
     double until = std::numeric_limits<double>::infinity();
   };
-  Entry resolve(const ConditionDeck& deck, Diagnostics& diagnostics) const;
+  Entry resolve(const ConditionDeck& deck, const Tracks& tracks, Diagnostics& diagnostics) const;
   void set_initial(const Entry& entry, State& state) const;
+  void prescribe(const Entry& entry, const State& state, const State& end,
+                 std::vector<PrescribedRow>& result) const;
   SpaceTime point(LocalIndex row, const State& state) const;
   /// First displacement row at the node of `row`; -1 where nothing moves.
   LocalIndex displacement_at(LocalIndex row) const;

@@ -109,7 +109,7 @@ void FieldOutput::write_cable(int step, const State& state) {
   const LineGeometry& line = tow_->line();
   const std::vector<double> x = line.positions(state);
   const std::vector<double> v = line.gather(field_name::velocity, state);
-  const std::vector<double> errors = tow_->positioning_errors(x);
+  const std::vector<double> errors = tow_->positioning_errors(x, state.time);
   std::vector<double> coordinates;
   PointField arc{"arc_length", "m", 1, {}}, error{"positioning_error", "m", 1, {}};
   const auto dimension = static_cast<std::size_t>(dofs_.mesh().dimension);

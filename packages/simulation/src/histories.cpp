@@ -71,7 +71,7 @@ void Histories::append(const StepFigures& figures) {
 void Histories::append_cable(const State& state) {
   if (tow_ == nullptr) return;
   const std::vector<double> x = tow_->line().positions(state);
-  const std::vector<double> errors = tow_->positioning_errors(x);
+  const std::vector<double> errors = tow_->positioning_errors(x, state.time);
   std::vector<double> rows;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     rows.insert(rows.end(), {state.time, tow_->line().arc_length()[i]});

@@ -47,6 +47,9 @@ RunCase read_case(const Communicator& communicator, Deck text, const RunOptions&
   if (time.steady()) time.step = std::min(time.step, time.end);
   if (time.least == 0) time.least = time.step / 1000;
   time.order = time.scheme().order();
+  for (auto* conditions : {&run.deck.conditions.initial, &run.deck.conditions.prescribe})
+    for (ConditionDeck& condition : *conditions)
+      if (condition.table) condition.table->value = path_beside(run.text, *condition.table);
   load_plugins(communicator, run.deck.plugins, options.plugin_folder, registry);
   run.modules = make_modules(run.text.root, run.deck, registry, diagnostics);
   diagnostics.throw_if_any();

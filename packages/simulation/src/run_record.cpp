@@ -39,6 +39,8 @@ RunRecord::RunRecord(System& system, const RunCase& run, const ResultFolder& fol
       histories_(system.mesh, folder.path(), system.tow.get(), system.forces, system.probes,
                  earlier ? std::optional<double>(earlier->header().time) : std::nullopt) {
   if (earlier) figures_.resume(earlier->header());
+  if (system.receivers)
+    system.receivers->open(folder.path(), system.integrator->history(), earlier != nullptr);
 }
 
 void RunRecord::accepted(StepFigures& figures) {
@@ -58,6 +60,7 @@ void RunRecord::write(const StepFigures& figures, const StepControl& steps, bool
     histories_.append_cable(state);
     log_.wrote("fields", step_, state.time);
   }
+  if (system_.receivers) system_.receivers->stepped(state, step_, last);
   if (due(output.checkpoint_every)) save_checkpoint(steps);
 }
 

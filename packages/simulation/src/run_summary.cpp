@@ -58,7 +58,7 @@ Summary RunSummary::summary(const System& system, const RunDeck& deck) const {
   result.set("end_time_s", last_.time);
   if (system.tow) {
     const TowMeasures& tow = last_.tow;
-    const double exact = system.tow->exact_end_error(tow.length);
+    const double exact = system.tow->exact_end_error(tow.length, last_.time);
     double least = tow.end_error, greatest = tow.end_error;
     for (const auto& [time, error] : end_errors_)
       if (time >= 0.75 * last_.time) {

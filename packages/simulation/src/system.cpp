@@ -93,6 +93,7 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
              {},
              {},
              {},
+             {},
              {}});
   Diagnostics diagnostics;
   check_regions(system->mesh, system->modules, diagnostics);
@@ -101,9 +102,11 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
   system->table = gather_fields(system->modules);
   system->dofs = std::make_unique<DofMap>(system->mesh, system->table.fields);
   system->assembler = std::make_unique<Assembler>(*system->dofs, system->modules);
+  const Tracks tracks = make_tracks(deck.tracks, diagnostics);
   system->conditions = std::make_unique<Conditions>(*system->assembler, system->table.rate_rules,
-                                                    deck.conditions, diagnostics);
-  if (deck.tow) system->tow = std::make_unique<TowReport>(*system->dofs, *deck.tow, diagnostics);
+                                                    deck.conditions, tracks, diagnostics);
+  if (deck.tow)
+    system->tow = std::make_unique<TowReport>(*system->dofs, *deck.tow, tracks, diagnostics);
   for (const ForceDeck& force : deck.forces)
     system->forces.emplace_back(*system->assembler, system->modules, force, diagnostics);
   for (const ProbeDeck& probe : deck.output.probes)
@@ -111,6 +114,9 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
   for (const ErrorDeck& error : deck.errors)
     system->errors.emplace_back(*system->dofs, error, diagnostics);
   diagnostics.throw_if_any();
+  if (deck.tow && deck.tow->receivers)
+    system->receivers =
+        std::make_unique<Receivers>(*system->assembler, *system->tow, *deck.tow->receivers);
 
   system->integrator = std::make_unique<TimeIntegrator>(
       *system->assembler, system->table.rate_rules, deck.time.scheme());

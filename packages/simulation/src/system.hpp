@@ -12,6 +12,7 @@
 #include "src/coupled_problem.hpp"
 #include "src/error_report.hpp"
 #include "src/histories.hpp"
+#include "src/receivers.hpp"
 
 namespace hawser {
 
@@ -25,7 +26,8 @@ struct System {
   std::unique_ptr<TimeIntegrator> integrator;
   std::unique_ptr<CoupledProblem> problem;
   std::unique_ptr<NonlinearDriver> driver;
-  std::unique_ptr<TowReport> tow;  ///< null when the deck asks for none
+  std::unique_ptr<TowReport> tow;        ///< null when the deck asks for none
+  std::unique_ptr<Receivers> receivers;  ///< likewise
   std::vector<ForceReport> forces;
   std::vector<Probe> probes;
   std::vector<ErrorReport> errors;

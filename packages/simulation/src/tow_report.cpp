@@ -1,5 +1,6 @@
 #include "src/tow_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/base/error.hpp"
@@ -11,10 +12,10 @@ namespace {
 constexpr double degree = 3.14159265358979323846 / 180;
 }
 
-TowReport::TowReport(const DofMap& dofs, const TowDeck& deck, Diagnostics& diagnostics)
-    : dofs_(dofs), deck_(deck), axis_(static_cast<std::size_t>(dofs.mesh().dimension), 0) {
-  axis_[0] = std::sin(deck.angle * degree);
-  axis_[1] = std::cos(deck.angle * degree);
+TowReport::TowReport(const DofMap& dofs, const TowDeck& deck, const Tracks& tracks,
+                     Diagnostics& diagnostics)
+    : dofs_(dofs), deck_(deck) {
+  if (deck.track) track_ = find_track(tracks, *deck.track, diagnostics);
   const Region* const cable = find_region_of(2, dofs.mesh(), deck.cable, "<tow>", diagnostics);
   const Region* const tow_point = find_point(dofs.mesh(), deck.tow_point, "<tow>", diagnostics);
   find_field(dofs, {field_name::velocity, deck.cable.location}, diagnostics);
@@ -26,16 +27,29 @@ TowReport::TowReport(const DofMap& dofs, const TowDeck& deck, Diagnostics& diagn
   }
 }
 
-std::vector<double> TowReport::positioning_errors(const std::vector<double>& positions) const {
+std::vector<double> TowReport::axis(double time) const {
+  std::vector<double> result(static_cast<std::size_t>(dofs_.mesh().dimension), 0);
+  result[0] = std::sin(deck_.angle * degree);
+  result[1] = std::cos(deck_.angle * degree);
+  if (track_) {
+    const auto course = track_->course(time);
+    std::copy(course.begin(), course.end(), result.begin());
+  }
+  return result;
+}
+
+std::vector<double> TowReport::positioning_errors(const std::vector<double>& positions,
+                                                  double time) const {
+  const std::vector<double> axis_of_tow = axis(time);
   std::vector<double> errors;
-  const std::size_t dimension = axis_.size();
+  const std::size_t dimension = axis_of_tow.size();
   for (std::size_t i = 0; i < positions.size(); i += dimension) {
     double along = 0;
     for (std::size_t j = 0; j < dimension; ++j)
-      along += (positions[i + j] - positions[j]) * axis_[j];
+      along += (positions[i + j] - positions[j]) * axis_of_tow[j];
     double squared = 0;
     for (std::size_t j = 0; j < dimension; ++j)
-      squared += std::pow(positions[i + j] - positions[j] - along * axis_[j], 2);
+      squared += std::pow(positions[i + j] - positions[j] - along * axis_of_tow[j], 2);
     errors.push_back(std::sqrt(squared));
   }
   return errors;
@@ -44,8 +58,9 @@ std::vector<double> TowReport::positioning_errors(const std::vector<double>& pos
 TowMeasures TowReport::measure(const State& state, const std::vector<double>& reactions) const {
   TowMeasures result;
   const std::vector<double> x = line_->positions(state);
-  const std::vector<double> errors = positioning_errors(x);
-  const std::size_t dimension = axis_.size();
+  const std::vector<double> axis_of_tow = axis(state.time);
+  const std::vector<double> errors = positioning_errors(x, state.time);
+  const std::size_t dimension = axis_of_tow.size();
   result.end_error = errors.back();
   double integral = 0;
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -72,16 +87,17 @@ TowMeasures TowReport::measure(const State& state, const std::vector<double>& re
                              j];
   MPI_Allreduce(MPI_IN_PLACE, force.data(), static_cast<int>(dimension), MPI_DOUBLE, MPI_SUM,
                 dofs_.mesh().communicator.mpi());
-  result.force = split_force(force, axis_);
+  result.force = split_force(force, axis_of_tow);
   return result;
 }
 
-double TowReport::exact_end_error(double length) const {
+double TowReport::exact_end_error(double length, double time) const {
   // Relative to the water the cable moves with V along the axis and U against the current.
-  const double angle = deck_.angle * degree;
-  const double relative =
-      std::atan2(deck_.speed * std::sin(angle), deck_.current + deck_.speed * std::cos(angle));
-  return length * std::abs(std::sin(angle - relative));
+  const auto along = axis(time);
+  const double speed = track_ ? track_->speed(time) : deck_.speed;
+  const double x = speed * along[0], y = deck_.current + speed * along[1];
+  const double relative = std::hypot(x, y);
+  return relative > 0 ? length * std::abs(along[0] * y - along[1] * x) / relative : 0;
 }
 
 }  // namespace hawser

@@ -1,10 +1,12 @@
 #pragma once
 // Positioning errors of a towed cable and the force at its tow point.
+#include <memory>
 #include <vector>
 
 #include "hawser/simulation/deck_parameters.hpp"
 #include "src/force_report.hpp"
 #include "src/line_geometry.hpp"
+#include "src/sources.hpp"
 
 namespace hawser {
 
@@ -19,24 +21,28 @@ struct TowMeasures {
 
 class TowReport {
  public:
-  /// Faults (unknown regions) go to `diagnostics`. Collective.
-  TowReport(const DofMap& dofs, const TowDeck& deck, Diagnostics& diagnostics);
+  /// Faults (unknown regions, track) go to `diagnostics`. Collective.
+  TowReport(const DofMap& dofs, const TowDeck& deck, const Tracks& tracks,
+            Diagnostics& diagnostics);
 
   /// `reactions` per owned row. Collective.
   TowMeasures measure(const State& state, const std::vector<double>& reactions) const;
 
-  /// Values of a cable that is straight along the relative flow: end and total error, m.
-  double exact_end_error(double length) const;
+  /// Of a cable that is straight along the relative flow, m; on a track, of its course and speed at
+  /// that time.
+  double exact_end_error(double length, double time) const;
 
   const LineGeometry& line() const { return *line_; }
-  /// Distance of every node from the tow axis, m.
-  std::vector<double> positioning_errors(const std::vector<double>& positions) const;
+  /// The tow axis: a unit vector in the plane z = 0 that points where the tow point goes.
+  std::vector<double> axis(double time) const;
+  /// Distance of every node from the tow axis through the tow point, m.
+  std::vector<double> positioning_errors(const std::vector<double>& positions, double time) const;
 
  private:
   const DofMap& dofs_;
   TowDeck deck_;
+  std::shared_ptr<const Track> track_;  // null: straight on, by the deck's angle and speed
   std::unique_ptr<LineGeometry> line_;
-  std::vector<double> axis_;  // of the tow, unit, in the plane z = 0
 };
 
 }  // namespace hawser

@@ -11,6 +11,7 @@
 #include "hawser/solve/nonlinear_driver.hpp"
 #include "hawser/time/step_control.hpp"
 #include "hawser/time/time_integrator.hpp"
+#include "hawser/values/track.hpp"
 
 namespace hawser {
 
@@ -82,7 +83,9 @@ struct ConditionDeck {
   Located<std::string> field;
   Located<std::vector<std::string>> on;
   Located<std::string> component{"all", {}};
-  Located<Expressions> value;
+  // Exactly one of these says where the values come from.
+  std::optional<Located<Expressions>> value;
+  std::optional<Located<std::string>> table, track;
   std::optional<double> from, until;  ///< s
   static Spec<ConditionDeck> initial_spec();
   static Spec<ConditionDeck> prescribe_spec();
@@ -109,12 +112,22 @@ struct SolverDeck {
   static Spec<SolverDeck> spec();
 };
 
+/// Receivers along the towed cable, as a table over time.
+struct ReceiversDeck {
+  double spacing = 12.5, first = 0;  ///< m along the cable at rest
+  std::vector<double> times;         ///< s
+  int every = 0;                     ///< steps
+  static Spec<ReceiversDeck> spec();
+};
+
 /// The towed cable's report: positioning errors and the tow force.
 struct TowDeck {
   Located<std::string> cable, tow_point;
-  double angle = 0;    ///< degrees, of the tow axis from upstream
-  double speed = 0;    ///< m/s
-  double current = 0;  ///< m/s, along -y
+  double angle = 0;                           ///< degrees, of the tow axis from upstream
+  double speed = 0;                           ///< m/s
+  double current = 0;                         ///< m/s, along -y
+  std::optional<Located<std::string>> track;  ///< instead of angle and speed
+  std::optional<ReceiversDeck> receivers;
   static Spec<TowDeck> spec();
 };
 
@@ -152,6 +165,7 @@ struct RunDeck {
   MeshDeck mesh;
   std::vector<PluginDeck> plugins;
   ModulesDeck modules;
+  std::vector<TrackDeck> tracks;
   ConditionsDeck conditions;
   TimeDeck time;
   SolverDeck solver;

@@ -1,0 +1,108 @@
+#include "src/receivers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+std::vector<Column> columns_in(const Mesh& mesh) {
+  std::vector<Column> columns = {
+      {"t", "s"}, {"receiver", ""}, {"arc_length", "m"}, {"x", "m"}, {"y", "m"}};
+  if (mesh.dimension == 3) columns.push_back({"z", "m"});
+  for (const Column& column :
+       {Column{"offset", "m"}, {"feather_angle", "deg"}, {"tension", force_unit(mesh)}})
+    columns.push_back(column);
+  return columns;
+}
+
+}  // namespace
+
+Receivers::Receivers(const Assembler& assembler, const TowReport& tow, const ReceiversDeck& deck)
+    : assembler_(assembler), tow_(tow), deck_(deck) {
+  std::sort(deck_.times.begin(), deck_.times.end());
+  const double end = tow.line().arc_length().back() * (1 + 1e-12);
+  for (int i = 0; deck_.first + i * deck_.spacing <= end; ++i)
+    places_.push_back(deck_.first + i * deck_.spacing);
+}
+
+void Receivers::open(const std::string& folder, const TimeHistory& start, bool goes_on) {
+  file_ = std::make_unique<History>(assembler_.dofs().mesh().communicator,
+                                    folder + "/receivers.csv", columns_in(assembler_.dofs().mesh()),
+                                    goes_on ? std::optional<double>(start.time) : std::nullopt);
+  State state;
+  state.time = start.time;
+  state.value = start.value;
+  state.accepted = start.value;
+  state.rate = start.rate;
+  state.rate_slope.assign(start.value.size(), 0);
+  state.rate_partner.assign(start.value.size(), 0);
+  before_ = sample(state);
+  // The beginning is no step's end; a run that goes on has written it already.
+  for (const double time : deck_.times)
+    if (!goes_on && time == start.time) file_->append(before_.rows);
+}
+
+void Receivers::stepped(const State& state, int step, bool last) {
+  Sample now = sample(state);
+  const double slack = 1e-9 * (now.time - before_.time);
+  for (const double time : deck_.times) {
+    if (time <= before_.time + slack || time > now.time + slack) continue;
+    const double share = std::min(1.0, (time - before_.time) / (now.time - before_.time));
+    std::vector<double> rows = now.rows;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rows[i] = (1 - share) * before_.rows[i] + share * now.rows[i];
+    for (std::size_t i = 0; i < rows.size(); i += now.rows.size() / places_.size())
+      rows[i] = time;
+    file_->append(rows);
+  }
+  const bool at_the_end = last && deck_.times.empty() && deck_.every == 0;
+  const bool asked_already = std::any_of(deck_.times.begin(), deck_.times.end(), [&](double time) {
+    return std::abs(time - now.time) <= slack;
+  });
+  if (at_the_end || (deck_.every > 0 && step % deck_.every == 0 && !asked_already))
+    file_->append(now.rows);
+  before_ = std::move(now);
+}
+
+Receivers::Sample Receivers::sample(const State& state) const {
+  const LineGeometry& line = tow_.line();
+  const std::vector<double>& arc = line.arc_length();
+  const std::vector<double> x = line.positions(state);
+  std::vector<double> tension(arc.size() - 1, 0);
+  for (const auto& quantity : assembler_.cell_quantities(line.region(), state))
+    if (quantity.name == "tension") tension = line.gather_cells(quantity.values);
+  const auto node_tension = [&](std::size_t i) {
+    return 0.5 * (tension[i == 0 ? 0 : i - 1] + tension[std::min(i, tension.size() - 1)]);
+  };
+  const auto axis = tow_.axis(state.time);
+  const auto astern = [&](const double* from) { return -(from[0] * axis[0] + from[1] * axis[1]); };
+  const auto starboard = [&](const double* from) { return from[0] * axis[1] - from[1] * axis[0]; };
+
+  Sample result;
+  result.time = state.time;
+  const std::size_t dimension = axis.size();
+  for (std::size_t r = 0; r < places_.size(); ++r) {
+    const auto above = std::upper_bound(arc.begin() + 1, arc.end() - 1, places_[r]);
+    const auto i = static_cast<std::size_t>(above - arc.begin());
+    const double share = std::min(1.0, (places_[r] - arc[i - 1]) / (arc[i] - arc[i - 1]));
+    const auto between = [&](double a, double b) { return (1 - share) * a + share * b; };
+    result.rows.insert(result.rows.end(), {state.time, static_cast<double>(r + 1), places_[r]});
+    double here[3] = {0, 0, 0};   // from the tow point
+    double chord[3] = {0, 0, 0};  // the same, or the first segment
+    for (std::size_t j = 0; j < dimension; ++j) {
+      const double position = between(x[dimension * (i - 1) + j], x[dimension * i + j]);
+      result.rows.push_back(position);
+      here[j] = position - x[j];
+      chord[j] = places_[r] == 0 ? x[dimension + j] - x[j] : here[j];
+    }
+    result.rows.insert(result.rows.end(),
+                       {starboard(here), std::atan2(starboard(chord), astern(chord)) / degree,
+                        between(node_tension(i - 1), node_tension(i))});
+  }
+  return result;
+}
+
+}  // namespace hawser
