@@ -7,6 +7,8 @@ namespace {
 
 template <class T>
 T reduce(MPI_Comm comm, T local, MPI_Datatype type, MPI_Op operation) {
+  // MPI_COMM_NULL stands for the one rank of a process that never starts MPI.
+  if (comm == MPI_COMM_NULL) return local;
   T global{};
   MPI_Allreduce(&local, &global, 1, type, operation, comm);
   return global;
@@ -27,6 +29,7 @@ T reduce(MPI_Comm comm, T local, MPI_Datatype type, MPI_Op operation) {
 }  // namespace
 
 Communicator::Communicator(MPI_Comm comm) : comm_(comm) {
+  if (comm_ == MPI_COMM_NULL) return;
   MPI_Comm_rank(comm_, &rank_);
   MPI_Comm_size(comm_, &size_);
 }
@@ -42,6 +45,7 @@ long long Communicator::sum(long long local) const {
 }
 
 std::string Communicator::broadcast(const std::string& text) const {
+  if (comm_ == MPI_COMM_NULL) return text;
   auto size = static_cast<long long>(text.size());
   MPI_Bcast(&size, 1, MPI_LONG_LONG, 0, comm_);
   std::string result = text;
@@ -54,6 +58,7 @@ void Communicator::rethrow_everywhere(int code, const std::string& message) cons
   // The lowest rank that failed speaks for all.
   const int speaker = reduce(comm_, code != 0 ? rank_ : size_, MPI_INT, MPI_MIN);
   if (speaker == size_) return;
+  if (comm_ == MPI_COMM_NULL) throw_as(code, message);
   auto size = static_cast<int>(message.size());
   MPI_Bcast(&code, 1, MPI_INT, speaker, comm_);
   MPI_Bcast(&size, 1, MPI_INT, speaker, comm_);

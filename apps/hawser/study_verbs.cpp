@@ -1,0 +1,94 @@
+// Studies: many runs, and the report on them.
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "hawser/base/error.hpp"
+#include "hawser/simulation/simulation.hpp"
+#include "hawser/study/study.hpp"
+#include "known_modules.hpp"
+#include "verb.hpp"
+
+namespace hawser::program {
+namespace {
+
+std::filesystem::path this_program() { return std::filesystem::read_symlink("/proc/self/exe"); }
+
+struct StudyArguments {
+  StudyOptions study;
+  std::string plugin_folder = default_plugin_folder();
+};
+
+int run(const StudyArguments& arguments) {
+  StudyOptions options = arguments.study;
+  options.program = this_program().string();
+  options.run_arguments = {"--plugin-dir", arguments.plugin_folder};
+  const auto resolve = [&](const std::string& deck,
+                           const std::vector<std::pair<std::string, std::string>>& values) {
+    RunOptions run;
+    run.plugin_folder = arguments.plugin_folder;
+    for (const auto& [path, value] : values)
+      run.changes.push_back({path, value});
+    return Simulation(Communicator(MPI_COMM_NULL), built_in_modules(), deck, run).resolved_deck();
+  };
+  const StudyResult result = run_study(options, resolve);
+  if (!options.quiet)
+    std::printf(
+        "%d cases finished, %d of them before; %d failed; %d not run\nreport: %s report %s\n",
+        result.finished, result.kept, result.failed, result.waiting, options.program.c_str(),
+        options.output.c_str());
+  if (result.waiting > 0) return static_cast<int>(ExitCode::stopped);
+  return static_cast<int>(result.failed > 0 ? ExitCode::not_converged : ExitCode::done);
+}
+
+/// The pages are drawn by a script beside the program: installed, or of the tree it was built in.
+std::string report_script() {
+  const auto root = this_program().parent_path().parent_path();
+  for (const std::filesystem::path& folder :
+       {root / "share/hawser/figures", std::filesystem::path(HAWSER_FIGURES)})
+    if (std::filesystem::exists(folder / "study_report.py"))
+      return (folder / "study_report.py").string();
+  throw OutputError("the script study_report.py is not installed beside " +
+                    this_program().string());
+}
+
+/// Becomes the script; returns only when that cannot be started.
+int report(const std::string& folder) {
+  const std::string script = report_script();
+  execl("/usr/bin/python3", "python3", script.c_str(), folder.c_str(), nullptr);
+  throw OutputError("cannot run /usr/bin/python3 " + script + ": " + std::strerror(errno));
+}
+
+Verb study_verb(CLI::App& app) {
+  auto* verb = app.add_subcommand(
+      "study",
+      "run every case of a study: hawser study inputs/deep_tow/study_quick.xml -o results/s");
+  const auto arguments = std::make_shared<StudyArguments>();
+  StudyOptions& options = arguments->study;
+  verb->add_option("study", options.file, "XML study")->required();
+  verb->add_option("-o,--output", options.output, "folder for the results")->required();
+  verb->add_option("-j,--jobs", options.jobs,
+                   "runs at a time; else as many as there are processors")
+      ->check(CLI::PositiveNumber);
+  verb->add_flag("-f,--force", options.fresh, "run finished cases again");
+  verb->add_flag("-q,--quiet", options.quiet, "no progress lines");
+  verb->add_option("--plugin-dir", arguments->plugin_folder,
+                   "folder that plug-ins are loaded from");
+  return {verb, Alone([arguments] { return run(*arguments); })};
+}
+
+Verb report_verb(CLI::App& app) {
+  auto* verb = app.add_subcommand("report", "a page with tables and figures on a study's results");
+  const auto folder = std::make_shared<std::string>();
+  verb->add_option("folder", *folder, "results of a study")->required();
+  return {verb, Alone([folder] { return report(*folder); })};
+}
+
+}  // namespace
+
+std::vector<Verb> study_verbs(CLI::App& app) { return {study_verb(app), report_verb(app)}; }
+
+}  // namespace hawser::program
