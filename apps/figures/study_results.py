@@ -8,7 +8,6 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-UNIT_FACTORS = {"m/s": 1.0, "kn": 0.514444, "deg": 1.0, "s": 1.0, "m": 1.0, "Pa": 1.0}
 
 
 def number(text):

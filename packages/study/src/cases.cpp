@@ -77,7 +77,8 @@ std::vector<StudyCase> expand(const StudyDeck& study, const std::string& file,
     const std::filesystem::path name = sweep.deck.value;
     const auto folder = std::filesystem::path(file).parent_path();
     const std::string deck = (name.is_absolute() ? name : folder / name).string();
-    std::set<std::string> told, names;
+    std::set<std::string> names;
+    bool told = false;
     for (StudyCase& one : cases_of(sweep, deck)) {
       if (!names.insert(one.name).second)
         diagnostics.error(sweep.location,
@@ -85,9 +86,10 @@ std::vector<StudyCase> expand(const StudyDeck& study, const std::string& file,
       try {
         one.resolved = resolve(deck, one.values);
       } catch (const DeckError& error) {
-        if (told.insert(error.what()).second)
+        if (!told)
           diagnostics.error(sweep.location, "sweep '" + sweep.name.value + "', " + one.name + " (" +
                                                 one.title + "):\n" + error.what());
+        told = true;
       }
       result.push_back(std::move(one));
     }

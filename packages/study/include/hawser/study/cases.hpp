@@ -23,7 +23,7 @@ using ResolveDeck = std::function<std::string(
     const std::string& deck, const std::vector<std::pair<std::string, std::string>>& values)>;
 
 /// Every case of the study, in order, each resolved. What is wrong with one is added to
-/// `diagnostics`; what is wrong alike with all cases of a sweep is told once.
+/// `diagnostics`; of the cases of a sweep the first faulty one speaks for all.
 std::vector<StudyCase> expand(const StudyDeck& study, const std::string& file,
                               const ResolveDeck& resolve, Diagnostics& diagnostics);
 
