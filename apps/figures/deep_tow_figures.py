@@ -33,13 +33,13 @@ def cable_shape(case, figures):
     axes.plot(*seen.T, color=COLOURS[1], lw=2.6, label="cable", solid_capstyle="round")
     axes.plot(0, 0, "o", color=COLOURS[1], ms=9, label="tow point")
     arrow(axes, (0, 25), (0, 85), COLOURS[1], "tow", (38, 0))
-    arrow(axes, -110 * current + [-95, -40], 90 * current, COLOURS[0], "current", (-52, 0))
+    arrow(axes, -110 * current + [-60, 0], 90 * current, COLOURS[0], "current", (58, 12))
     error = case.quantity("end_error_m")
     axes.annotate("", xy=(0, seen[-1, 1]), xytext=seen[-1], arrowprops={"arrowstyle": "<->", "color": "black", "lw": 1.2})
-    axes.text(seen[-1, 0] / 2, seen[-1, 1] - 14, f"end error {error:.1f} m", ha="center", va="top")
+    axes.text(12, seen[-1, 1] - 14, f"end error {error:.1f} m", ha="left", va="top")
     axes.set(xlabel="distance from the tow axis, to starboard (m)", ylabel="distance along the tow axis (m)", aspect="equal",
-             xlim=(-190, 260), ylim=(-450, 140))
-    axes.legend(loc="upper right")
+             xlim=(-230, 260), ylim=(-450, 140))
+    axes.legend(loc="lower left")
     figures.save(figure, "fig4_cable_shape", f"Case 2 at the end of the tow, seen from the tug (the paper's figure 4). The current comes "
                  f"30 degrees off the bow; the cable is straight and ends {error:.1f} m off the tow axis; the paper says "
                  f"{dt.PAPER_END_ERROR} m.")
@@ -157,7 +157,7 @@ def flow(case, name, title, figures):
     near = np.all(np.abs(grid.points - centre) < 1.3 * half, axis=1)
     turning = vorticity(grid, velocity)
     near_cells = near[grid.cells].all(axis=1)
-    figure, panels = plt.subplots(1, 3, figsize=(15, 5.4), sharey=True)
+    figure, panels = plt.subplots(1, 3, figsize=(16.5, 5.2), sharey=True)
     speed = np.linalg.norm(velocity, axis=1)
     bound_p = np.percentile(np.abs(pressure[near] - np.median(pressure[near])), 99)
     bound_w = np.percentile(np.abs(turning[near_cells]), 99)
@@ -165,7 +165,7 @@ def flow(case, name, title, figures):
     for axes, values, options, label in (
             (panels[0], speed, {"cmap": "viridis", "vmin": 0, "vmax": speed[near].max(), "shading": "gouraud"}, "flow speed (m/s)"),
             (panels[1], pressure - middle, {"cmap": "RdBu_r", "vmin": -bound_p, "vmax": bound_p, "shading": "gouraud"},
-             "pressure (Pa), from its median here"),
+             "pressure less its median (Pa)"),
             (panels[2], turning, {"cmap": "PuOr", "vmin": -bound_w, "vmax": bound_w, "shading": "flat"}, "vorticity (1/s)")):
         image = axes.tripcolor(*grid.points.T, grid.cells, values, rasterized=True, **options)
         figure.colorbar(image, ax=axes, label=label, shrink=0.85)

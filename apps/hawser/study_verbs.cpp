@@ -63,9 +63,11 @@ int report(const std::string& folder) {
 }
 
 Verb study_verb(CLI::App& app) {
-  auto* verb = app.add_subcommand(
-      "study",
-      "run every case of a study: hawser study inputs/deep_tow/study_quick.xml -o results/s");
+  auto* verb = app.add_subcommand("study", "run every case of a study, side by side");
+  verb->footer(
+      "Cases that have results of the very deck are not run again: repeat it after an "
+      "interruption.\n"
+      "Example: hawser study inputs/deep_tow/study_quick.xml -o results/study_quick");
   const auto arguments = std::make_shared<StudyArguments>();
   StudyOptions& options = arguments->study;
   verb->add_option("study", options.file, "XML study")->required();
@@ -84,6 +86,7 @@ Verb report_verb(CLI::App& app) {
   auto* verb = app.add_subcommand("report", "a page with tables and figures on a study's results");
   const auto folder = std::make_shared<std::string>();
   verb->add_option("folder", *folder, "results of a study")->required();
+  verb->footer("Example: hawser report results/study_quick");
   return {verb, Alone([folder] { return report(*folder); })};
 }
 
