@@ -7,6 +7,7 @@ SPEED = 0.2        # m/s, of the tow in the decks
 LENGTH = 420.0     # m, of the cable
 DENSITY = 1000.0   # kg/m^3, of the decks
 VISCOSITY = 0.3    # m^2/s, of the decks: an eddy viscosity
+HELD_SPEED = 0.5   # m/s, of the water past the held line
 PAPER_END_ERROR = 154.7  # m, case 2: the paper's only number
 
 

@@ -1,6 +1,4 @@
 """The paper's sentences on its results, what the runs say to each, and a verdict that follows from the numbers."""
-import math
-
 import numpy as np
 
 import deep_tow as dt
@@ -127,10 +125,7 @@ def held(sweep):
     for case in sweep.finished:
         history = case.table("history.csv")
         late = history["t_s"] >= 0.5 * history["t_s"][-1]
-        load = 0.5 * dt.DENSITY * case.value("speed") ** 2 * dt.LENGTH if case.value("speed") else None
-        speed = case.quantity("speed_m_per_s")
-        if load is None:
-            load = 0.5 * dt.DENSITY * (0.5 if math.isnan(speed) else speed) ** 2 * dt.LENGTH
+        load = 0.5 * dt.DENSITY * dt.HELD_SPEED ** 2 * dt.LENGTH
         force = history["line_force_n_per_m"][late] / load
         result.append((case.value("angle"), float(force.mean()), float(force.std())))
     return sorted(result)

@@ -134,7 +134,7 @@ def friction_section(sweep, figures):
                          cell(formula, "{:.0f}") + cell(100 * off, "{:+.1f} %") + cell(f"{100 * bar:.0f} %") +
                          cell("yes" if abs(off) <= bar else "no", kind="yes" if abs(off) <= bar else "no") + "</tr>")
         else:
-            lines.append("<tr>" + cell(speed, "{:g}") + cell(sizes) + cell(values) + cell("no common order") * 1 + cell("–") +
+            lines.append("<tr>" + cell(speed, "{:g}") + cell(sizes) + cell(values) + cell("no common order") + cell("–") +
                          cell(formula, "{:.0f}") + cell(100 * (forces[-1] / formula - 1), "{:+.1f} %") + cell(f"{100 * bar:.0f} %") +
                          cell("finest mesh") + "</tr>")
     return ("<h2>Friction of the aligned line, converged</h2>\n<p>A freely towed cable feels friction at the relative speed W. Its force has a singularity "

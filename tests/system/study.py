@@ -49,7 +49,7 @@ def record(folder):
 class Study(SystemTest):
     def test_a_failing_case_does_not_stop_the_others_and_the_report_tells_the_runs_numbers(self):
         folder = fresh("whole")
-        done = hawser(1, "study", study("whole"), "-o", folder)
+        done = hawser(1, "study", study("whole"), "-o", folder, seconds=240)
         self.assertEqual(done.returncode, 6, done.stderr)
         self.assertIn("5 cases finished, 0 of them before; 1 failed; 0 not run", done.stdout)
         cases = record(folder)
@@ -57,7 +57,7 @@ class Study(SystemTest):
         self.assertEqual(cases["mesh/case_01"]["exit_code"], 4)
         self.assertIn("exceeds the cable's length", cases["mesh/case_01"]["reason"])
 
-        reported = hawser(1, "report", folder)
+        reported = hawser(1, "report", folder, seconds=240)
         self.assertEqual(reported.returncode, 0, reported.stderr)
         page = (folder / "report/index.html").read_text()
         self.assertNotRegex(page, r'src="(?!data:)|href="')  # self-contained
@@ -80,19 +80,19 @@ class Study(SystemTest):
                 break
         time.sleep(0.3)
         process.send_signal(signal.SIGTERM)
-        rest = process.communicate(timeout=60)[0]
+        rest = process.communicate(timeout=240)[0]
         self.assertEqual(process.returncode, 75, rest)
         states = [case["state"] for case in record(folder).values()]
         self.assertEqual(states[:2], ["finished"] * 2)
         self.assertIn("waiting", states)
         kept = {path: path.stat().st_mtime_ns for path in folder.glob("*/*/summary.json")}
-        done = hawser(1, "study", deck, "-o", folder)
+        done = hawser(1, "study", deck, "-o", folder, seconds=240)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn(f"6 cases finished, {len(kept)} of them before", done.stdout)
         self.assertEqual({path: path.stat().st_mtime_ns for path in kept}, kept)
         # What differs now is run again, and nothing else.
         deck.write_text(deck.read_text().replace('values="42 60"', 'values="42 70"'))
-        again = hawser(1, "study", deck, "-o", folder)
+        again = hawser(1, "study", deck, "-o", folder, seconds=240)
         self.assertIn("6 cases finished, 5 of them before", again.stdout)
 
     def test_bad_sweeps_are_told_before_anything_runs(self):

@@ -82,13 +82,13 @@ Spec<ConditionDeck> condition_spec(const std::string& tag, const std::string& me
       .attribute("on", &P::on, required(), "Regions, by name.")
       .attribute("component", &P::component, one_of({"all", "x", "y", "z"}),
                  "Which component the value is for.")
-      .attribute("value", &P::value, "SI", any(),
+      .attribute("value", &P::value, "SI", any() && absent("table or track says it"),
                  "A number or expression per component, of x y z (moved), X Y Z (reference), t.")
       .attribute(
-          "table", &P::table,
+          "table", &P::table, absent("no table"),
           "CSV file of columns t, x, y and a column per component; linear between its rows. A "
           "relative path starts at the deck's folder.")
-      .attribute("track", &P::track, "The displacement along this <track>.")
+      .attribute("track", &P::track, absent("no track"), "The displacement along this <track>.")
       .check([tag](const P& p, const Location& where, Diagnostics& diagnostics) {
         if (int(p.value.has_value()) + int(p.table.has_value()) + int(p.track.has_value()) != 1)
           diagnostics.error(where, "<" + tag + "> needs exactly one of value, table and track");
@@ -302,7 +302,7 @@ Spec<TowDeck> TowDeck::spec() {
       .attribute("speed", &P::speed, "m/s", non_negative(),
                  "Of the tow, for the exact straight-cable values.")
       .attribute("current", &P::current, "m/s", non_negative(), "Of the water along -y, likewise.")
-      .attribute("track", &P::track,
+      .attribute("track", &P::track, absent("straight on"),
                  "The <track> that is towed along: the tow axis is its present course, instead of "
                  "angle and speed.")
       .child(&P::receivers);
@@ -314,7 +314,7 @@ Spec<ReceiversDeck> ReceiversDeck::spec() {
       .attribute("spacing", &P::spacing, "m", positive(), "Between receivers, unstretched.")
       .attribute("first", &P::first, "m", non_negative(),
                  "From the tow point to the first receiver, unstretched.")
-      .attribute("times", &P::times, "s", non_negative(),
+      .attribute("times", &P::times, "s", non_negative() && absent("at none"),
                  "When; between two steps the positions are interpolated.")
       .attribute("every", &P::every, at_least(0),
                  "Steps between further entries; 0 for none. With neither, at the end.");

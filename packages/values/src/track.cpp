@@ -19,7 +19,7 @@ double turn_between(double from, double to) { return std::remainder(to - from, 2
 
 Spec<WayPointDeck> WayPointDeck::spec() {
   return Spec<WayPointDeck>("way-point", "A point of a track.")
-      .attribute("at", &WayPointDeck::at, "m", required() && length(2), "Where it is.");
+      .attribute("at", &WayPointDeck::at, "m", required() && length(2) && any(), "Where it is.");
 }
 
 Spec<TrackDeck> TrackDeck::spec() {
@@ -27,7 +27,7 @@ Spec<TrackDeck> TrackDeck::spec() {
   return Spec<P>("track", "A way through way-points at a constant speed, smoothed in its turns.")
       .attribute("name", &P::name, required(), "What conditions and <tow> call it.")
       .attribute("speed", &P::speed, "m/s", required() && positive(), "On legs and in turns.")
-      .attribute("start", &P::start, "s", "When it sets out from the first way-point.")
+      .attribute("start", &P::start, "s", any(), "When it sets out from the first way-point.")
       .attribute("ramp", &P::ramp, "s", positive(), "Time from rest to its speed.")
       .attribute("turn-radius", &P::turn_radius, "m", non_negative(),
                  "Of a turn at its tightest place.")
