@@ -24,8 +24,9 @@ def shape(tows):
         ("Case 2: the cable is approximately linear in the ocean current.",
          f"No node lies further than {bow:.2f} m from the chord of {length:.1f} m.", verdict(bow < 0.01 * length)),
         ("The end of the cable is slightly flapped by the ocean current.",
-         f"In the last quarter of case 2 the end error changes by {flap:.3f} m; the tail is at rest. Flapping appears only "
-         "at much smaller viscosity and without bending stiffness.", verdict(flap > 1.0)),
+         f"In the last quarter of case 2 the end error changes by {flap:.3f} m; "
+         f"{'the tail flaps' if flap > 1 else 'the tail is at rest'}.",
+         verdict(flap > 1.0)),
         ("Case 2: the positioning error at the end of the cable is 154.7 m.",
          f"{case.quantity(END):.2f} m at a tow speed of {dt.SPEED} m/s; a straight cable of the stretched length has "
          f"{case.quantity('end_error_exact_m'):.2f} m. The tow speed stands in a figure that is not at hand: see below.",
@@ -65,7 +66,7 @@ def forces(tows):
     formula = [dt.plate_force(dt.relative_speed(u, tows.angles[-1])) / dt.plate_force(dt.relative_speed(u, tows.angles[0]))
                for u in tows.currents]
     largest = [int(np.argmax(np.abs(np.diff(rows[u])))) for u in tows.currents]
-    steps = ", ".join(f"{tows.angles[i]:g} to {tows.angles[i + 1]:g}" for i in largest)
+    steps = " / ".join(f"{tows.angles[i]:g} to {tows.angles[i + 1]:g}" for i in largest)
     return [
         ("The drag force at the towing point increases with the velocity of the ocean current.",
          f"It grows at every angle, as the relative speed to the power {exponent:.2f}.", verdict(grows_with_current)),
@@ -77,7 +78,7 @@ def forces(tows):
          f"|F(90)|/|F(0)| = {listed(ratios)} for U = {currents} m/s; boundary-layer friction gives {listed(formula)}. "
          "A six-fold growth does not hold for a freely towed cable.", verdict(all(4 < ratio < 8 for ratio in ratios))),
         ("The increment is step-like, and largest from 30 to 60 degrees.",
-         f"The largest change, a fall, is between {steps} degrees for U = {currents} m/s.",
+         f"The largest change, a fall, is from {steps} degrees for U = {currents} m/s.",
          verdict(grows and all(tows.angles[i] == 30 for i in largest))),
     ]
 

@@ -39,7 +39,7 @@ def cable_shape(case, figures):
     axes.text(12, seen[-1, 1] - 14, f"end error {error:.1f} m", ha="left", va="top")
     axes.set(xlabel="distance from the tow axis, to starboard (m)", ylabel="distance along the tow axis (m)", aspect="equal",
              xlim=(-230, 260), ylim=(-450, 140))
-    axes.legend(loc="lower left")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.11), ncol=2)
     figures.save(figure, "fig4_cable_shape", f"Case 2 at the end of the tow, seen from the tug (the paper's figure 4). The current comes "
                  f"30 degrees off the bow; the cable is straight and ends {error:.1f} m off the tow axis; the paper says "
                  f"{dt.PAPER_END_ERROR} m.")
@@ -100,7 +100,7 @@ def cables_in_current(tows, figures):
     arrow(axes, (70, 75), (0, -60), COLOURS[0], "current", (48, 0))
     axes.set(xlabel="across the current (m)", ylabel="along the current (m)", aspect="equal", xlim=(-250, 180),
              ylim=(-450, 95))
-    axes.legend(loc="lower right")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.11), ncol=2)
     figures.save(figure, "fig7_cables", f"The cables of cases 1-4 (U = {current:g} m/s) in the current's frame, from one tow point (the "
                  "paper's figure 7): the more the tow crosses the current, the larger the cable's angle to it.")
 
@@ -192,7 +192,7 @@ def histories(tows, figures):
         panels[1, column].set_xlabel("time (s)")
     panels[0, 0].set_ylabel("end error (m)")
     panels[1, 0].set_ylabel("tow force (kN per m of depth)")
-    panels[0, 0].legend(fontsize=9)
+    figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0.03), ncol=4)
     figures.save(figure, "histories", "End error and force at the tow point over time. The cable is held for 300 s; then its top is ramped to "
                  "the tow speed within 100 s. The force is cut off above: at the start of the tow it peaks.")
 
