@@ -11,6 +11,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <vector>
 
 #include "hawser/base/error.hpp"
 
@@ -80,6 +81,7 @@ void Jobs::start(const Job& job, std::size_t place) {
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  std::vector<char*> environment = environment_of_a_job();
   pid_t child = 0;
   const int error =
       posix_spawnp(&child, words[0], &actions, &attributes, words.data(), environment.data());
