@@ -121,12 +121,12 @@ def claims(tows):
 
 
 def held(sweep):
-    """(angle, drag coefficient, standard deviation): means over the second half of each run."""
+    """(angle, coefficient of the drag along the current, standard deviation): means over the second half of each run."""
     result = []
     for case in sweep.finished:
         history = case.table("history.csv")
         late = history["t_s"] >= 0.5 * history["t_s"][-1]
         load = 0.5 * dt.DENSITY * dt.HELD_SPEED ** 2 * dt.LENGTH
-        force = history["line_force_n_per_m"][late] / load
+        force = history["line_force_along_n_per_m"][late] / load
         result.append((case.value("angle"), float(force.mean()), float(force.std())))
     return sorted(result)

@@ -225,6 +225,6 @@ def held(points, figures):
     figure, axes = plt.subplots(figsize=(5.6, 4.2))
     angle, drag_coefficient, spread = np.array(points).T
     axes.errorbar(angle, drag_coefficient, yerr=spread, capsize=4, **style(0))
-    axes.set(xlabel="angle of the held line to the current (degrees)", ylabel="force / (ρ U² L / 2) (-)", xticks=angle, ylim=(0, None))
+    axes.set(xlabel="angle of the held line to the current (degrees)", ylabel="drag / (ρ U² L / 2) (-)", xticks=angle, ylim=(0, None))
     figures.save(figure, "held", "A line held at an angle to the current at Re 100: a conjecture about the paper's figure 6, and no towed cable. Means "
                  "over the second half of each run; bars: standard deviation.")
