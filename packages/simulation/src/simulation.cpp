@@ -61,7 +61,7 @@ struct Simulation::Implementation {
   /// `place` is for a mesh that must be made.
   std::string build(const std::string& place) {
     try {
-      const std::string file = provide_mesh(place);
+      std::string file = provide_mesh(place);
       system = build_system(communicator, deck(), std::move(run_case.modules), file);
       return file;
     } catch (const MeshError& error) {
