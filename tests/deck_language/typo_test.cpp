@@ -84,6 +84,7 @@ TEST(Typos, OfEveryParameterInTheShippedDecksFindTheRightName) {
   std::string other_names;
   for (const auto& [name, surroundings] : names_in_shipped_decks())
     for (const std::vector<std::string>& allowed : surroundings) {
+      if (name == "remove") continue;  // of a deck that extends another one; no parameter
       ASSERT_EQ(std::count(allowed.begin(), allowed.end(), name), 1) << name;
       for (const std::string& typo : typos(name)) {
         ++tried;

@@ -98,10 +98,10 @@ class Study(SystemTest):
     def test_bad_sweeps_are_told_before_anything_runs(self):
         folder = fresh("bad")
         for old, new, sentence in (
-                ("tow_angle", "tow_angel", r".*bad_study\.xml:6:4: sweep 'tow', case_01 .*:\n.*did you mean 'tow_angle'\?"),
+                ("tow_angle", "tow_angel", r".*bad_study\.xml:6:4: sweep 'tow', case_01 .*: .*did you mean 'tow_angle'\?"),
                 ('values="0 90"', 'from="3" to="3" count="2"', r".*bad_study\.xml:8:6: the range is empty: from and to are both 3"),
-                ("tow.xml", "two.xml", r".*bad_study\.xml:2:4: .*:\n.*two\.xml: the deck cannot be read\n[\s\S]*"),
-                ('value="60"', 'value="-60"', r".*bad_study\.xml:2:4: sweep 'mesh', case_01 .*:\n.*must be > 0 s\n.*")):
+                ("tow.xml", "two.xml", r".*bad_study\.xml:2:4: .*: .*two\.xml: the deck cannot be read[\s\S]*"),
+                ('value="60"', 'value="-60"', r".*bad_study\.xml:2:4: sweep 'mesh', case_01 .*: .*must be > 0 s.*")):
             path = study("bad_study", "42")
             path.write_text(path.read_text().replace(old, new))
             done = self.assertFails(3, sentence, 1, "study", path, "-o", folder)

@@ -88,7 +88,7 @@ std::vector<StudyCase> expand(const StudyDeck& study, const std::string& file,
       } catch (const DeckError& error) {
         if (!told)
           diagnostics.error(sweep.location, "sweep '" + sweep.name.value + "', " + one.name + " (" +
-                                                one.title + "):\n" + error.what());
+                                                one.title + "): " + error.what());
         told = true;
       }
       result.push_back(std::move(one));

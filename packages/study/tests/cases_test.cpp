@@ -106,7 +106,7 @@ TEST(Cases, BadSweepsAreToldWithTheirPlace) {
 TEST(Cases, AFaultOfTheBaseDeckIsToldOnce) {
   const std::string text = fault(sweep("<vary path='unknown' values='1 2 3'/>"));
   EXPECT_EQ(text,
-            "folder/study.xml:1:19: sweep 's', case_01 (unknown = 1):\n"
+            "folder/study.xml:1:19: sweep 's', case_01 (unknown = 1): "
             "deck.xml:1:1: there is no 'unknown'");
 }
 
