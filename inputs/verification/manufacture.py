@@ -313,7 +313,7 @@ def coupled_space():
     tip = stretch / 2
     jump = 8 * (tip**2 - x**2)**2 * (1 + t)
     slope = sp.diff(jump, x) / 2
-    inside = f"abs(x) < {float(tip)}"
+    inside = f"{float(tip)} > abs(x)"  # "<" must not stand in an attribute
     side = "(Y > 0 ? 1 : -1)"
     force = fluid_force(v, smooth, nu)
     place = [stretch * X, across]
