@@ -1,9 +1,103 @@
 // From the deck's <mesh> to a mesh.
+#include <algorithm>
 #include <string>
 
 #include "hawser/simulation/deck_parameters.hpp"
 
 namespace hawser {
+namespace {
+
+void copy(const std::vector<double>& from, double* to) { std::copy(from.begin(), from.end(), to); }
+
+Rules flow_directions() { return one_of({"-y", "+y", "-x", "+x"}); }
+
+}  // namespace
+
+Spec<TowBoxDeck> TowBoxDeck::spec() {
+  using P = TowBoxDeck;
+  return Spec<P>("tow-box", "A box of water with a straight cable in it.")
+      .attribute("min", &P::min, "m", required() && any() && length(2), "Lower left corner.")
+      .attribute("max", &P::max, "m", required() && any() && length(2), "Upper right corner.")
+      .attribute("tow-point", &P::tow_point, "m", any() && length(2), "Where the cable starts.")
+      .attribute("tail", &P::tail, "m", required() && any() && length(2), "Where the cable ends.")
+      .attribute("cable-size", &P::cable_size, "m", positive(), "Segment length on the cable.")
+      .attribute("far-size", &P::far_size, "m", positive(), "Largest cell size.")
+      .attribute("growth", &P::growth, "1", positive(),
+                 "Growth of the cell size per distance from the cable.")
+      .attribute("end-size", &P::end_size, "m", non_negative(),
+                 "Segment length at the cable's ends; 0 for the same as on the cable.")
+      .attribute("flow-direction", &P::flow_direction, flow_directions(),
+                 "Which boundary is the outflow.")
+      .attribute("refinements", &P::refinements, between(0, 10),
+                 "How often every triangle of the mesh so described is cut into four.");
+}
+
+TowBox TowBoxDeck::box() const {
+  TowBox box;
+  box.x_min = min[0], box.y_min = min[1], box.x_max = max[0], box.y_max = max[1];
+  copy(tow_point, box.tow_point);
+  copy(tail, box.tail);
+  box.cable_size = cable_size, box.far_size = far_size, box.growth = growth,
+  box.end_size = end_size;
+  box.flow_direction = flow_direction;
+  box.refinements = refinements;
+  return box;
+}
+
+Spec<WaterBoxDeck> WaterBoxDeck::spec() {
+  using P = WaterBoxDeck;
+  return Spec<P>("water-box", "A box of water alone.")
+      .attribute("min", &P::min, "m", required() && any() && length(2), "Lower left corner.")
+      .attribute("max", &P::max, "m", required() && any() && length(2), "Upper right corner.")
+      .attribute("size", &P::size, "m", non_negative(), "Cell size of an unstructured mesh.")
+      .attribute("cells", &P::cells, "1", length(2) && non_negative(),
+                 "Cells in x and y of a structured mesh; 0 0 for an unstructured one.")
+      .attribute("flow-direction", &P::flow_direction, flow_directions(),
+                 "Which boundary is the outflow.")
+      .attribute("refinements", &P::refinements, between(0, 10),
+                 "How often every triangle of the mesh so described is cut into four.")
+      .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
+        if ((p.size > 0) == (p.cells[0] > 0 && p.cells[1] > 0))
+          diagnostics.error(where, "<water-box> needs either size or cells, and not both");
+      });
+}
+
+WaterBox WaterBoxDeck::box() const {
+  WaterBox box;
+  box.x_min = min[0], box.y_min = min[1], box.x_max = max[0], box.y_max = max[1];
+  box.size = size;
+  box.cells[0] = static_cast<int>(cells[0]), box.cells[1] = static_cast<int>(cells[1]);
+  box.flow_direction = flow_direction;
+  box.refinements = refinements;
+  return box;
+}
+
+Spec<MeshFileDeck> MeshFileDeck::spec() {
+  return Spec<MeshFileDeck>("file", "A mesh file made by gmsh.")
+      .attribute("name", &MeshFileDeck::name, required(),
+                 "MSH 2.2 or 4.1, ASCII; a relative path starts at the deck's folder.")
+      .attribute("dimension", &MeshFileDeck::dimension, between(2, 3),
+                 "Of the space; in three the file may hold lines and points only.");
+}
+
+Spec<MeshDeck> MeshDeck::spec() {
+  using P = MeshDeck;
+  return Spec<P>("mesh", "Where the mesh comes from: exactly one of the children.")
+      .attribute("slits", &P::slits, absent("none"),
+                 "Line regions across which the pressure is doubled.")
+      .child(&P::tow_box)
+      .child(&P::water_box)
+      .child(&P::line)
+      .child(&P::file)
+      .location(&P::location)
+      .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
+        if (int(p.tow_box.has_value()) + int(p.water_box.has_value()) + int(p.line.has_value()) +
+                int(p.file.has_value()) !=
+            1)
+          diagnostics.error(
+              where, "<mesh> needs exactly one of <tow-box>, <water-box>, <line> and <file>");
+      });
+}
 
 Spec<LineDeck> LineDeck::spec() {
   using P = LineDeck;

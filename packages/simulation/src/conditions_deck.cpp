@@ -1,0 +1,52 @@
+// What a deck says of <conditions>.
+#include "hawser/simulation/deck_parameters.hpp"
+
+namespace hawser {
+namespace {
+
+Spec<ConditionDeck> condition_spec(const std::string& tag, const std::string& meaning) {
+  using P = ConditionDeck;
+  return Spec<P>(tag, meaning)
+      .attribute("name", &P::name, absent("it has none"),
+                 "By which another deck or --set can change it.")
+      .attribute("field", &P::field, required(), "Field by name, such as velocity.")
+      .attribute("on", &P::on, required(), "Regions, by name.")
+      .attribute("component", &P::component, one_of({"all", "x", "y", "z"}),
+                 "Which component the value is for.")
+      .attribute("value", &P::value, "SI", any() && absent("table or track says it"),
+                 "A number or expression per component, of x y z (moved), X Y Z (reference), t.")
+      .attribute(
+          "table", &P::table, absent("no table"),
+          "CSV file of columns t, x, y and a column per component; linear between its rows. A "
+          "relative path starts at the deck's folder.")
+      .attribute("track", &P::track, absent("no track"), "The displacement along this <track>.")
+      .check([tag](const P& p, const Location& where, Diagnostics& diagnostics) {
+        if (int(p.value.has_value()) + int(p.table.has_value()) + int(p.track.has_value()) != 1)
+          diagnostics.error(where, "<" + tag + "> needs exactly one of value, table and track");
+      });
+}
+
+}  // namespace
+
+Spec<ConditionDeck> ConditionDeck::initial_spec() {
+  return condition_spec("initial",
+                        "A field's values at the start; later ones replace earlier ones.");
+}
+Spec<ConditionDeck> ConditionDeck::prescribe_spec() {
+  using P = ConditionDeck;
+  return condition_spec("prescribe",
+                        "A field's values on a region, at all times or within a window.")
+      .attribute("from", &P::from, "s", any() && absent("from the start"),
+                 "Holds for steps that end after this time.")
+      .attribute("until", &P::until, "s", any() && absent("to the end"),
+                 "Holds for steps that end at this time or before.");
+}
+
+Spec<ConditionsDeck> ConditionsDeck::spec() {
+  using P = ConditionsDeck;
+  return Spec<P>("conditions", "Initial and prescribed values.")
+      .children(&P::initial, ConditionDeck::initial_spec())
+      .children(&P::prescribe, ConditionDeck::prescribe_spec());
+}
+
+}  // namespace hawser
