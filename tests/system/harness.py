@@ -16,6 +16,9 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 DECKS = ROOT / "tests/system/decks"
 
+sys.path.insert(0, str(ROOT / "tests/support"))
+import figures  # noqa: E402
+
 parser = argparse.ArgumentParser()
 parser.add_argument("--build", type=Path, default=ROOT / "build")
 BUILD = parser.parse_known_args()[0].build.resolve()
@@ -134,6 +137,13 @@ COUNTS = ("steps", "steps_rejected", "newton_iterations", "linear_iterations", "
 
 
 class SystemTest(unittest.TestCase):
+    def assertRecorded(self, name, what, value, tolerance, source, unit="1"):
+        """A difference that must not be larger, for doc/verification.md."""
+        test = f"system.{Path(sys.argv[0]).stem}"
+        self.assertTrue(figures.record(BUILD, f"{test}.{name}", "Ranks, repetition, restart", what, value, 0, tolerance, source,
+                                       f"ctest --test-dir build -R '^{test}$'", unit, is_="at-most"),
+                        f"{what}: {value}, allowed {tolerance}")
+
     def assertFails(self, code, sentence, ranks, *arguments):
         """One line on stderr that matches the regular expression, whatever the number of ranks."""
         done = hawser(ranks, *arguments)
