@@ -266,7 +266,7 @@ def cable_time():
     cable_deck("cable_time", title + ": Newmark's method with gamma = 0.6", """
   Position and velocity are linear along the cable at every instant: all error is the time scheme's.""", place, {}, 4,
                '  <time step="0.1" end="1"/>',
-               orders("time", 4, d_error_l2=(0.9, "1: gamma above 0.5"), v_error_l2=(0.9, "1: gamma above 0.5")))
+               orders("time", 5, d_error_l2=(0.9, "1: gamma above 0.5"), v_error_l2=(0.9, "1: gamma above 0.5")))
     schemes("cable_time", title, ["d_error_l2", "v_error_l2"])
 
 
