@@ -1,6 +1,9 @@
 // Observed orders of accuracy.
+#include <cstdio>
 #include <map>
 
+#include "figure_script.hpp"
+#include "hawser/base/child_process.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/convergence.hpp"
 #include "known_modules.hpp"
@@ -8,6 +11,23 @@
 #include "verb.hpp"
 
 namespace hawser::program {
+namespace {
+
+/// A plot beside the table. What was computed stays when it cannot be drawn.
+void draw(const std::string& folder, bool is_quiet) {
+  try {
+    const ChildResult drawn =
+        run_child("/usr/bin/python3", {figure_script("convergence_figure.py"), folder});
+    if (drawn.status != 0)
+      std::fprintf(stderr, "no plot: %s", drawn.errors.c_str());
+    else if (!is_quiet)
+      std::fputs(drawn.output.c_str(), stdout);
+  } catch (const OutputError& error) {
+    std::fprintf(stderr, "no plot: %s\n", error.what());
+  }
+}
+
+}  // namespace
 
 std::vector<Verb> converge_verbs(CLI::App& app) {
   struct Arguments {
@@ -37,6 +57,8 @@ std::vector<Verb> converge_verbs(CLI::App& app) {
   return {{verb, OnRanks([arguments](const Communicator& world) {
              const Summary result =
                  converge(world, built_in_modules(), arguments->deck, arguments->options);
+             const RunOptions& of_run = arguments->options.run;
+             if (world.is_root()) draw(of_run.output, of_run.detail == LogDetail::quiet);
              return static_cast<int>(result.number("orders_failed").value_or(0) > 0
                                          ? ExitCode::expectation
                                          : ExitCode::done);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "figure_script.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/simulation.hpp"
 #include "hawser/study/study.hpp"
@@ -44,20 +45,9 @@ int run(const StudyArguments& arguments) {
   return static_cast<int>(result.failed > 0 ? ExitCode::not_converged : ExitCode::done);
 }
 
-/// The pages are drawn by a script beside the program: installed, or of the tree it was built in.
-std::string report_script() {
-  const auto root = this_program().parent_path().parent_path();
-  for (const std::filesystem::path& folder :
-       {root / "share/hawser/figures", std::filesystem::path(HAWSER_FIGURES)})
-    if (std::filesystem::exists(folder / "study_report.py"))
-      return (folder / "study_report.py").string();
-  throw OutputError("the script study_report.py is not installed beside " +
-                    this_program().string());
-}
-
 /// Becomes the script; returns only when that cannot be started.
 int report(const std::string& folder) {
-  const std::string script = report_script();
+  const std::string script = figure_script("study_report.py");
   execl("/usr/bin/python3", "python3", script.c_str(), folder.c_str(), nullptr);
   throw OutputError("cannot run /usr/bin/python3 " + script + ": " + std::strerror(errno));
 }

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "child_process.hpp"
+#include "hawser/base/child_process.hpp"
 #include "hawser/base/error.hpp"
 
 namespace hawser {
@@ -53,7 +53,12 @@ std::string run_mesher(const Communicator& communicator,
   std::string made;
   communicator.on_root([&] {
     const auto mesher = find_mesher();
-    const auto result = run_child(mesher, arguments);
+    ChildResult result;
+    try {
+      result = run_child(mesher, arguments);
+    } catch (const OutputError& error) {
+      throw MeshError(error.what());
+    }
     if (result.status < 0) {
       throw MeshError(mesher + " was ended by signal " + std::to_string(-result.status));
     }

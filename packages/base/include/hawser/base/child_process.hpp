@@ -10,7 +10,7 @@ struct ChildResult {
 };
 
 /// Runs a program and waits for it. The variables by which mpirun tells its children what they are
-/// are kept from it. MeshError if it cannot be started.
+/// are kept from it. OutputError if it cannot be started.
 ChildResult run_child(const std::string& program, const std::vector<std::string>& arguments);
 
 }  // namespace hawser

@@ -1,4 +1,4 @@
-#include "child_process.hpp"
+#include "hawser/base/child_process.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -31,7 +31,7 @@ class Pipe {
   Pipe() {
     // Closed on exec: a child started elsewhere at the same time must not keep it open.
     if (pipe2(ends_.data(), O_CLOEXEC) != 0) {
-      throw MeshError(std::string("cannot make a pipe: ") + std::strerror(errno));
+      throw OutputError(std::string("cannot make a pipe: ") + std::strerror(errno));
     }
   }
   ~Pipe() {
@@ -103,7 +103,7 @@ ChildResult run_child(const std::string& program, const std::vector<std::string>
       posix_spawn(&child, program.c_str(), &actions, &attributes, words.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
-  if (error != 0) throw MeshError("cannot run " + program + ": " + std::strerror(error));
+  if (error != 0) throw OutputError("cannot run " + program + ": " + std::strerror(error));
 
   out.close_writing();
   err.close_writing();
