@@ -27,7 +27,7 @@ class Failures(SystemTest):
                     done = hawser(ranks, *arguments)
                     self.assertEqual(done.returncode, 2, done.stderr)
                     self.assertEqual(done.stderr.count("Run with --help for more information."), 1)
-            self.assertFails(2, "there is no module 'cabel'; there are ale-fluid, cable, mesh-motion; "
+            self.assertFails(2, "a deck has nothing called 'cabel'; hawser describe lists all there is; "
                                 "did you mean 'cable'\\?", ranks, "describe", "cabel")
 
     def test_no_such_deck(self):

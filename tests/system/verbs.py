@@ -128,8 +128,8 @@ class BeforeARun(SystemTest):
         self.assertFails(7, f"{file} is there already; .*--force.*", 1, "mesh", DECKS / "tow.xml", "-o", file)
         self.assertFails(2, "where to\\? .*", 1, "mesh", DECKS / "tow.xml")
 
-
     def test_a_line_in_space(self):
+        SCRATCH.mkdir(parents=True, exist_ok=True)
         deck = SCRATCH / "line.xml"
         deck.write_text("""<hawser>
   <mesh><line from="0 0 0" to="0 30 -40" segments="10"/></mesh>
