@@ -33,9 +33,9 @@ def run(deck, **parameters):
 
 def remember(deck, case, what, **figure):
     where = "in space" if deck.endswith("space") else "in the plane"
-    return record(BUILD, f"{deck}.case_{case:02}.{what.split()[-1]}", "Deep tow by drag coefficients",
+    return record(BUILD, f"deck.deep_tow.{deck}.case_{case:02}.{what.split()[-1]}", "Deep tow by drag coefficients",
                   f"case {case} {where}, {what}",
-                  command=f"python3 tests/decks/drag_law.py {BUILD.name}", **figure)
+                  command="ctest --test-dir build -R '^deck.deep_tow.drag_law'", **figure)
 
 
 class DragLaw(unittest.TestCase):
