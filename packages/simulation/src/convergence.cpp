@@ -10,6 +10,7 @@
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/deck_parameters.hpp"
 #include "src/observed_order.hpp"
+#include "src/refinement.hpp"
 
 namespace hawser {
 namespace {
@@ -25,10 +26,10 @@ struct Quantity {
   std::vector<double> errors{};      ///< coarse to fine
 };
 
-class Study {
+class OrderStudy {
  public:
-  Study(const Communicator& communicator, const ModuleRegistry& registry, std::string deck_file,
-        const ConvergenceOptions& options)
+  OrderStudy(const Communicator& communicator, const ModuleRegistry& registry,
+             std::string deck_file, const ConvergenceOptions& options)
       : communicator_(communicator),
         registry_(registry),
         deck_file_(std::move(deck_file)),
@@ -88,7 +89,9 @@ class Study {
     RunOptions run = options_.run;
     run.output = folder.file(fmt::format("level-{}", level));
     run.detail = LogDetail::quiet;
-    run.refined = RefinedBy{converge_.refine, level};
+    run.expects = false;  // they are about the deck as it stands
+    for (DeckChange& change : refinement(deck_, converge_.refine, level))
+      run.changes.push_back(std::move(change));
     const Summary summary = Simulation(communicator_, registry_, deck_file_, run).run();
     const auto number = [&](const char* key) { return summary.number(key).value_or(0); };
     rejected_ = rejected_ || number("steps_rejected") > 0;
@@ -168,7 +171,7 @@ class Study {
 
 Summary converge(const Communicator& communicator, const ModuleRegistry& registry,
                  const std::string& deck_file, const ConvergenceOptions& options) {
-  return Study(communicator, registry, deck_file, options).run();
+  return OrderStudy(communicator, registry, deck_file, options).run();
 }
 
 }  // namespace hawser

@@ -3,7 +3,6 @@
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/plugin_loader.hpp"
-#include "src/refine_deck.hpp"
 
 namespace hawser {
 namespace {
@@ -40,8 +39,8 @@ RunCase read_case(const Communicator& communicator, Deck text, const RunOptions&
                   ModuleRegistry& registry, Diagnostics& diagnostics) {
   RunCase run;
   run.text = std::move(text);
-  if (options.refined) refine(run.text.root, *options.refined);
   run.deck = RunDeck::spec().read(run.text.root, diagnostics);
+  if (!options.expects) run.deck.expectations.clear();
   TimeDeck& time = run.deck.time;
   if (options.end) time.end = *options.end;
   if (time.steady()) time.step = std::min(time.step, time.end);
@@ -53,8 +52,6 @@ RunCase read_case(const Communicator& communicator, Deck text, const RunOptions&
   load_plugins(communicator, run.deck.plugins, options.plugin_folder, registry);
   run.modules = make_modules(run.text.root, run.deck, registry, diagnostics);
   diagnostics.throw_if_any();
-  // What a checkpoint keeps must be what was run.
-  if (options.refined) run.text.text = resolved(run.text, registry);
   return run;
 }
 

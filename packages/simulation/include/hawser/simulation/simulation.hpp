@@ -19,12 +19,6 @@ enum class LogDetail {
   iterations  ///< and one per Newton iteration and output
 };
 
-/// The cells, the steps or both are 2^level times smaller than the deck's.
-struct RefinedBy {
-  Refinement what = Refinement::space;
-  int level = 0;
-};
-
 struct RunOptions {
   std::string output;  ///< result folder
   std::string plugin_folder;
@@ -33,7 +27,7 @@ struct RunOptions {
   LogDetail detail = LogDetail::steps;
   bool log_json = false;      ///< one JSON object per line instead of text
   std::optional<double> end;  ///< s, instead of the deck's end
-  std::optional<RefinedBy> refined{};
+  bool expects = true;        ///< judge by the deck's expectations
 };
 
 class Simulation {
