@@ -1,5 +1,6 @@
 #include "hawser/study/study_deck.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -9,15 +10,9 @@ namespace {
 
 /// Of blank-separated numbers or words; with a ';' anything that stands between two of them.
 std::vector<std::string> listed_values(const std::string& text) {
-  std::vector<std::string> values;
-  std::istringstream stream(text);
-  if (text.find(';') == std::string::npos) {
-    for (std::string word; stream >> word;)
-      values.push_back(word);
-  } else {
-    for (std::string part; std::getline(stream, part, ';');)
-      if (!trimmed(part).empty()) values.push_back(trimmed(part));
-  }
+  if (text.find(';') == std::string::npos) return split_at_blanks(text);
+  std::vector<std::string> values = split_at(text, ';');
+  values.erase(std::remove(values.begin(), values.end(), ""), values.end());
   return values;
 }
 

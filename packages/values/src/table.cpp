@@ -16,14 +16,6 @@ namespace {
 constexpr const char* variable_names[] = {"t", "x", "y"};
 constexpr const char* variable_units[] = {"_s", "_m", "_m"};
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream text(line + ",");
-  for (std::string cell; std::getline(text, cell, ',');)
-    cells.push_back(trimmed(cell));
-  return cells;
-}
-
 /// A CSV file's lines with their numbers; blank lines and lines that begin with # are skipped.
 struct Line {
   int number = 0;
@@ -36,7 +28,7 @@ std::vector<Line> lines_of(const std::string& text) {
   for (std::string line; std::getline(stream, line);) {
     ++number;
     const std::string content = trimmed(line);
-    if (!content.empty() && content[0] != '#') lines.push_back({number, cells_of(content)});
+    if (!content.empty() && content[0] != '#') lines.push_back({number, split_at(content, ',')});
   }
   return lines;
 }

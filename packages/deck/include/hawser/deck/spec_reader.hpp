@@ -37,5 +37,7 @@ void report_value(const DeckNode& node, const DeckAttribute& attribute, const st
 std::string not_among(const std::string& given, const std::vector<std::string>& allowed);
 
 std::string trimmed(const std::string& text);
+std::vector<std::string> split_at_blanks(const std::string& text);
+std::vector<std::string> split_at(const std::string& text, char separator);  ///< parts are trimmed
 
 }  // namespace hawser
