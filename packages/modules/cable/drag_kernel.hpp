@@ -62,15 +62,11 @@ class CableDragKernel : public ElementKernel<CableDragKernel<D>> {
   Vector<T, D> load_at(const Element& at, const GaussPoint& point,
                        const Vector<T, D>& tangent) const {
     using std::sqrt;
-    Vector<double, D> place;
-    Vector<T, D> moved, relative, acceleration;
+    const PointOnSegment<T, D> place(at, displacement, point);
+    Vector<T, D> relative, acceleration;
     for (int i = 0; i < D; ++i) {
-      place[i] = (1 - point.s) * at.coordinate(0, i) + point.s * at.coordinate(1, i);
-      moved[i] =
-          (1 - point.s) * at.value(displacement, 0, i) + point.s * at.value(displacement, 1, i);
-    }
-    for (int i = 0; i < D; ++i) {
-      relative[i] = at_place(current_[static_cast<std::size_t>(i)], place, moved, at.time()) -
+      relative[i] = at_place(current_[static_cast<std::size_t>(i)], place.reference,
+                             place.displacement, at.time()) -
                     (1 - point.s) * at.value(velocity, 0, i) - point.s * at.value(velocity, 1, i);
       acceleration[i] = (1 - point.s) * at.rate(velocity, 0, i) + point.s * at.rate(velocity, 1, i);
     }

@@ -15,6 +15,21 @@ struct GaussPoint {
 constexpr std::array<GaussPoint, 3> three_points = {
     {{0.11270166537925831, 5.0 / 18}, {0.5, 8.0 / 18}, {0.88729833462074169, 5.0 / 18}}};
 
+/// Where a point of a segment was at first and how far it has moved, m.
+template <class T, int D>
+struct PointOnSegment {
+  Vector<double, D> reference;
+  Vector<T, D> displacement;
+
+  template <class Element>
+  PointOnSegment(const Element& at, int field, const GaussPoint& point) {
+    for (int i = 0; i < D; ++i) {
+      reference[i] = (1 - point.s) * at.coordinate(0, i) + point.s * at.coordinate(1, i);
+      displacement[i] = (1 - point.s) * at.value(field, 0, i) + point.s * at.value(field, 1, i);
+    }
+  }
+};
+
 /// N per reference length, at the moved place of each point of the reference.
 template <int D>
 class CableLoadKernel : public ElementKernel<CableLoadKernel<D>> {
@@ -34,16 +49,11 @@ class CableLoadKernel : public ElementKernel<CableLoadKernel<D>> {
   void element_residual(const Element& at, T* out) const {
     const double length = segment_of<T, D>(at, displacement).length;
     for (const GaussPoint& point : three_points) {
-      Vector<double, D> place;
-      Vector<T, D> moved;
-      for (int i = 0; i < D; ++i) {
-        place[i] = (1 - point.s) * at.coordinate(0, i) + point.s * at.coordinate(1, i);
-        moved[i] =
-            (1 - point.s) * at.value(displacement, 0, i) + point.s * at.value(displacement, 1, i);
-      }
+      const PointOnSegment<T, D> place(at, displacement, point);
       for (int i = 0; i < D; ++i) {
         const T load = point.weight * length *
-                       at_place(load_[static_cast<std::size_t>(i)], place, moved, at.time());
+                       at_place(load_[static_cast<std::size_t>(i)], place.reference,
+                                place.displacement, at.time());
         out[at.index(velocity, 0, i)] -= (1 - point.s) * load;
         out[at.index(velocity, 1, i)] -= point.s * load;
       }
