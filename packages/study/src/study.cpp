@@ -47,7 +47,8 @@ class StudyRun {
       : options_(options),
         study_(std::move(study)),
         cases_(std::move(cases)),
-        states_(cases_.size()) {}
+        states_(cases_.size()),
+        at_a_time_(options.jobs > 0 ? options.jobs : std::max(1, processors() / study_.ranks)) {}
 
   StudyResult run() {
     keep_finished();
@@ -57,15 +58,13 @@ class StudyRun {
         jobs.push_back(job(cases_[i]));
         case_of_job_.push_back(i);
       }
-    const int room = std::max(1, processors() / study_.ranks);
-    const int at_a_time = options_.jobs > 0 ? options_.jobs : room;
     say(std::to_string(cases_.size()) + " cases, " + std::to_string(cases_.size() - jobs.size()) +
-        " of them finished before; " + std::to_string(at_a_time) + " at a time on " +
+        " of them finished before; " + std::to_string(at_a_time_) + " at a time on " +
         std::to_string(study_.ranks) + (study_.ranks == 1 ? " rank" : " ranks") + " each");
     write();
     Jobs runner;
     runner.run(
-        jobs, at_a_time,
+        jobs, at_a_time_,
         [&](std::size_t place) { states_[case_of_job_[place]].kind = CaseState::Kind::running; },
         [&](std::size_t place, const JobResult& result) { ended(case_of_job_[place], result); });
     write();
@@ -126,6 +125,8 @@ class StudyRun {
       take_summary(i);
     else if (Jobs::interrupted())
       state.kind = CaseState::Kind::stopped;
+    else if (result.exit_code == static_cast<int>(ExitCode::done))
+      state.reason = "a deck was changed while the study ran; start it again";
     else
       state.reason = last_line(folder(cases_[i]) / "log.txt");
     write();
@@ -154,8 +155,8 @@ class StudyRun {
     line << "; " << std::lround(state.wall) << " s";
     if (open > 0 && done > 0 && !Jobs::interrupted()) {
       const double each = spent / static_cast<double>(done);
-      const int side = std::max(1, options_.jobs > 0 ? options_.jobs : processors() / study_.ranks);
-      line << ", about " << std::lround(each * static_cast<double>(open) / side) << " s to go";
+      line << ", about " << std::lround(each * static_cast<double>(open) / at_a_time_)
+           << " s to go";
     }
     say(line.str());
   }
@@ -176,6 +177,7 @@ class StudyRun {
   StudyDeck study_;
   std::vector<StudyCase> cases_;
   std::vector<CaseState> states_;
+  int at_a_time_;
   std::vector<std::size_t> case_of_job_;
 };
 
