@@ -1,7 +1,7 @@
 #pragma once
 // One declaration per parameter: name, unit, default, rules, meaning and the struct member it
-// fills. The parser, the checks, `hawser describe`, the resolved deck (and later the schema and the
-// manual) all come from it:
+// fills. The parser, the checks, `hawser describe`, the resolved deck, the schema and the reference
+// page all come from it:
 //
 //   struct Parameters {
 //     Located<std::string> region;
