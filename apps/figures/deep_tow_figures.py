@@ -197,30 +197,6 @@ def histories(tows, figures):
                  "the tow speed within 100 s. The force is cut off above: at the start of the tow it peaks.")
 
 
-def friction(sweep, figures):
-    """Forces on meshes of three sizes, their limits, and the formula. Returns a row per speed."""
-    rows = []
-    figure, axes = plt.subplots(figsize=(6.6, 4.6))
-    for i, speed in enumerate(sorted({case.value("speed") for case in sweep.finished})):
-        cases = sorted((c for c in sweep.finished if c.value("speed") == speed), key=lambda c: c.value("cells"))
-        forces = [case.quantity("line_force_along_n_per_m") for case in cases]
-        sizes = [1 / case.value("cells") for case in cases]
-        formula = dt.plate_force(speed)
-        limit = dt.richardson(sizes, forces) if len(cases) == 3 else None
-        rows.append((speed, cases, forces, limit, formula))
-        axes.plot(sizes, np.array(forces) / formula, **style(i), label=f"W = {speed:g} m/s")
-        if limit:
-            axes.errorbar([0], [limit[1] / formula], yerr=[limit[2] / formula], color=COLOURS[i], marker=style(i)["marker"],
-                          mfc="none", ms=10, capsize=5)
-    axes.axhline(1, color="black", lw=1, ls=":")
-    axes.set(xlabel="size of the cells on the line / thickness of the boundary layer (-)",
-             ylabel="friction / boundary-layer formula (-)", xlim=(-0.01, None))
-    axes.legend()
-    figures.save(figure, "friction", "Friction of a line along the flow on three meshes, over the boundary-layer formula. Open symbols with bars: "
-                 "extrapolated to size 0 with the observed order; the bar is the distance from the finest mesh.")
-    return rows
-
-
 def held(points, figures):
     figure, axes = plt.subplots(figsize=(5.6, 4.2))
     angle, drag_coefficient, spread = np.array(points).T

@@ -11,7 +11,9 @@ import matplotlib.pyplot as plt
 import deep_tow as dt
 import deep_tow_claims
 import deep_tow_figures as draw
+import deep_tow_forces
 from figure_style import Figures, style
+from page_table import cell, table
 from study_results import Study, number
 
 PAGE = """<!DOCTYPE html>
@@ -28,25 +30,10 @@ figure {{ margin: 2em 0 }} figure img {{ max-width: 100% }} figcaption {{ max-wi
 </body></html>
 """
 
-PER_METRE = ("<p><b>What the forces are.</b> In two dimensions the cable is a curtain of infinite depth, and its forces are newtons per metre "
-             "of that depth, with an eddy viscosity that stands for what a mesh of this size cannot resolve. They are not the newtons "
-             "on a streamer, and no factor turns them into those. The positions do not depend on how the drag is modelled.</p>")
-
 QUANTITIES = [("end_error_m", "end error (m)", "{:.2f}"), ("end_error_exact_m", "exact, stretched (m)", "{:.2f}"),
               ("total_error_m", "total error (m)", "{:.2f}"), ("total_error_arc_m", "along the cable (m)", "{:.2f}"),
               ("tow_force_n_per_m", "tow force (N/m)", "{:.0f}"), ("line_force_n_per_m", "force (N/m)", "{:.0f}"),
               ("mesh_quality_min", "mesh quality", "{:.2f}"), ("steps_rejected", "steps cut", "{:.0f}")]
-
-
-def cell(value, form=None, kind=""):
-    if form is not None:
-        return f'<td class="n">{form.format(value) if math.isfinite(value) else "–"}</td>'
-    return f'<td{" class=" + chr(34) + kind + chr(34) if kind else ""}>{html.escape(str(value))}</td>'
-
-
-def table(head, rows):
-    head = "".join(f"<th>{html.escape(name)}</th>" for name in head)
-    return f"<table><tr>{head}</tr>\n" + "\n".join(rows) + "</table>\n"
 
 
 def case_rows(sweep):
@@ -107,43 +94,6 @@ def inference(study, tows):
     return text + "</p>\n"
 
 
-def force_table(tows):
-    rows = []
-    for u in tows.currents:
-        for a in tows.angles:
-            case = tows.get(u, a)
-            w = dt.relative_speed(u, a)
-            force, plate = case.quantity("tow_force_n_per_m"), dt.plate_force(w)
-            rows.append("<tr>" + cell(u, "{:g}") + cell(a, "{:g}") + cell(w, "{:.3f}") + cell(force, "{:.0f}") +
-                        cell(plate, "{:.0f}") + cell(force / plate, "{:.3f}") + cell(dt.drag_law_tension(w), "{:.0f}") + "</tr>")
-    return table(["U (m/s)", "θ (degrees)", "W (m/s)", "tow force (N per m of depth)", "plate friction (N per m)", "ratio",
-                  "drag law, one streamer (N)"], rows)
-
-
-def friction_section(sweep, figures):
-    rows = draw.friction(sweep, figures)
-    lines = []
-    for speed, cases, forces, limit, formula in rows:
-        sizes = " / ".join(f"{case.value('cells'):g}" for case in cases)
-        values = " / ".join(f"{force:.0f}" for force in forces)
-        bar = 0.05 if speed > 2 else 0.03
-        if limit:
-            order, value, uncertainty = limit
-            off = value / formula - 1
-            lines.append("<tr>" + cell(speed, "{:g}") + cell(sizes) + cell(values) + cell(order, "{:.2f}") + cell(f"{value:.0f} ± {uncertainty:.0f}") +
-                         cell(formula, "{:.0f}") + cell(f"{100 * off:+.1f} %") + cell(f"{100 * bar:.0f} %") +
-                         cell("yes" if abs(off) <= bar else "no", kind="yes" if abs(off) <= bar else "no") + "</tr>")
-        else:  # the finest mesh, and how far apart the three are
-            off, spread = forces[-1] / formula - 1, max(forces) - min(forces)
-            within = abs(off) <= bar
-            lines.append("<tr>" + cell(speed, "{:g}") + cell(sizes) + cell(values) + cell("none in common") +
-                         cell(f"finest {forces[-1]:.0f} ± {spread:.0f}") + cell(formula, "{:.0f}") + cell(f"{100 * off:+.1f} %") +
-                         cell(f"{100 * bar:.0f} %") + cell("yes" if within else "no", kind="yes" if within else "no") + "</tr>")
-    return ("<h2>Friction of the aligned line, converged</h2>\n<p>A freely towed cable feels friction at the relative speed W. Its force has a singularity "
-            "at the leading edge; meshes are finer at the ends, and the limit is extrapolated with the order that three meshes show.</p>\n" +
-            table(["W (m/s)", "cells per layer", "forces (N/m)", "order", "limit (N/m)", "formula (N/m)", "off", "bar", "within"], lines))
-
-
 def held_section(sweep, figures):
     points = deep_tow_claims.held(sweep)
     if len(points) < 2:
@@ -174,9 +124,7 @@ def deep_tow_sections(study, figures):
             u, *dt.straight_line_fit(tows.angles, tows.row(u, "total_error_m"))) for u in tows.currents)
         body += f"<p>Lines through the total error over θ in degrees: {fits}.</p>\n"
         body += "<h2>The tow speed</h2>\n" + inference(study, tows)
-        body += "<h2>Forces</h2>\n" + PER_METRE + force_table(tows)
-        body += ("<p>Plate friction: F = C ρ W² L / 2 with C = 2 (1.328 Re<sup>-1/2</sup> + 2.668 Re<sup>-7/8</sup>), Re = W L / ν. Drag law: "
-                 "T = ρ C<sub>t</sub> π D W² L / 2 of a neutrally buoyant streamer, ρ = 1025 kg/m³, C<sub>t</sub> = 0.01, D = 6 cm.</p>\n")
+        body += deep_tow_forces.towed(tows, study.sweep("coarser"), figures)
         if tows.get(0.5, 30):
             draw.cable_shape(tows.get(0.5, 30), figures)
         draw.total_error(tows, figures)
@@ -190,7 +138,7 @@ def deep_tow_sections(study, figures):
     elif sweep:
         body += "<p>The towed cases are not all there; the paper's claims need all of them.</p>\n"
     if (sweep := study.sweep("friction")) and sweep.finished:
-        body += friction_section(sweep, figures)
+        body += deep_tow_forces.friction(sweep, figures)
     if (sweep := study.sweep("held")) and sweep.finished:
         body += held_section(sweep, figures)
     return body

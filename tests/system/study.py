@@ -32,12 +32,21 @@ STUDY = """<study title="Reduced" report="deep-tow">
 </study>
 """
 
+# The same tows on two coarser meshes: the report extrapolates their forces.
+COARSER = """  <sweep name="coarser" deck="tow.xml">
+    <vary path="current" values="0.5 1"/>
+    <vary path="tow_angle" values="0 90"/>
+    <vary path="mesh_scale" values="2 1.4142"/>
+  </sweep>
+</study>
+"""
 
-def study(name, sizes="500 42"):
+
+def study(name, sizes="500 42", more="</study>\n"):
     path = SCRATCH / f"{name}.xml"
     path.parent.mkdir(parents=True, exist_ok=True)
     (path.parent / "tow.xml").write_text(TOW.format(base=ROOT / "inputs/deep_tow/base.xml"))
-    path.write_text(STUDY.format(sizes=sizes))
+    path.write_text(STUDY.format(sizes=sizes).replace("</study>\n", more))
     return path
 
 
@@ -49,9 +58,9 @@ def record(folder):
 class Study(SystemTest):
     def test_a_failing_case_does_not_stop_the_others_and_the_report_tells_the_runs_numbers(self):
         folder = fresh("whole")
-        done = hawser(1, "study", study("whole"), "-o", folder, seconds=240)
+        done = hawser(1, "study", study("whole", more=COARSER), "-o", folder, seconds=240)
         self.assertEqual(done.returncode, 6, done.stderr)
-        self.assertIn("5 cases finished, 0 of them before; 1 failed; 0 not run", done.stdout)
+        self.assertIn("13 cases finished, 0 of them before; 1 failed; 0 not run", done.stdout)
         cases = record(folder)
         self.assertEqual({name for name, case in cases.items() if case["state"] == "failed"}, {"mesh/case_01"})
         self.assertEqual(cases["mesh/case_01"]["exit_code"], 4)
@@ -69,6 +78,11 @@ class Study(SystemTest):
                 for quantity, form in ("end_error_m", "{:.2f}"), ("total_error_m", "{:.2f}"), ("tow_force_n_per_m", "{:.0f}"):
                     self.assertIn(f'<td class="n">{form.format(summary[quantity])}</td>', rows[name.replace("/", "-")])
         self.assertTrue((folder / "report/fig5_total_error.svg").exists())
+        for fine, coarse in ("01", ("01", "02")), ("04", ("07", "08")):
+            forces = [json.loads((folder / run / "summary.json").read_text())["tow_force_n_per_m"]
+                      for run in (*(f"coarser/case_{c}" for c in coarse), f"tow/case_{fine}")]
+            self.assertIn(f"<td>{' / '.join(f'{force:.0f}' for force in forces)}</td>", page)
+        self.assertTrue((folder / "report/force_limits.svg").exists())
 
     def test_an_interrupted_study_goes_on_where_it_was(self):
         folder = fresh("parts")
