@@ -16,6 +16,5 @@ install(FILES ${PROJECT_BINARY_DIR}/HawserConfig.cmake ${PROJECT_BINARY_DIR}/Haw
 
 # What a person looks for beside the program.
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc)
 install(DIRECTORY inputs DESTINATION ${CMAKE_INSTALL_DATADIR}/hawser)
-install(PROGRAMS apps/figures/cable_figure.py apps/figures/history_figure.py
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/hawser/figures)
