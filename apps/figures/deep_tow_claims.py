@@ -82,7 +82,7 @@ def forces(tows):
          "speed falls with the angle." if falls else f"Forces over the angles: {', '.join(listed(rows[u], '{:.0f}') for u in tows.currents)}.",
          verdict(grows)),
         ("In each velocity the drag force at 90 degrees is about six times larger than at 0 degrees.",
-         f"|F(90)|/|F(0)| = {listed(ratios)} for U = {currents} m/s; boundary-layer friction gives {listed(formula)}. "
+         f"F(90)/F(0) = {listed(ratios)} for U = {currents} m/s; boundary-layer friction gives {listed(formula)}. "
          "A six-fold growth does not hold for a freely towed cable.", verdict(all(4 < ratio < 8 for ratio in ratios))),
         ("The increment is step-like, and largest from 30 to 60 degrees.",
          f"The largest change, a fall, is from {steps} degrees for U = {currents} m/s.",
