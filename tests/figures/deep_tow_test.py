@@ -2,9 +2,23 @@
 import sys
 import unittest
 from pathlib import Path
+from typing import NamedTuple
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "apps/figures"))
 import deep_tow as dt  # noqa: E402
+
+
+class Sweep(NamedTuple):
+    cases: list
+    finished: list
+
+
+class Case(NamedTuple):
+    current: str
+    tow_angle: str
+
+    def value(self, path):
+        return float(getattr(self, path))
 
 
 class Formulas(unittest.TestCase):
@@ -23,6 +37,14 @@ class Formulas(unittest.TestCase):
     def test_drag_law_in_newtons(self):
         tensions = [round(dt.drag_law_tension(dt.relative_speed(u, a))) for u in (0.5, 1, 2) for a in (0, 30, 60, 90)]
         self.assertEqual(tensions, [199, 188, 158, 118, 584, 563, 503, 422, 1964, 1920, 1801, 1639])
+
+
+class Claims(unittest.TestCase):
+    def test_they_need_every_case(self):
+        cases = [Case("0.5", "0"), Case("0.5", "90"), Case("2", "0"), Case("2", "90")]
+        self.assertTrue(dt.Tows(Sweep(cases, cases)).complete)
+        self.assertFalse(dt.Tows(Sweep(cases, cases[:3])).complete)
+        self.assertFalse(dt.Tows(Sweep(cases, cases[:2])).complete)  # one current, whole in itself
 
 
 class Limits(unittest.TestCase):

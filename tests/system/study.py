@@ -109,6 +109,24 @@ class Study(SystemTest):
         again = hawser(1, "study", deck, "-o", folder, seconds=240)
         self.assertIn("6 cases finished, 5 of them before", again.stdout)
 
+    def test_a_deck_that_changes_while_the_study_runs_is_noticed(self):
+        folder = fresh("changed")
+        deck = study("changed", "42 60")
+        process = subprocess.Popen([BUILD / "bin/hawser", "study", deck, "-o", folder, "-j", "1"], env=ENVIRONMENT,
+                                   stdout=subprocess.PIPE, text=True)
+        for line in process.stdout:
+            if line.startswith("[1/6]"):
+                break
+        tow = deck.parent / "tow.xml"
+        tow.write_text(tow.read_text().replace('name="hold" value="40"', 'name="hold" value="60"'))
+        rest = process.communicate(timeout=240)[0]
+        self.assertEqual(process.returncode, 6, rest)
+        cases = list(record(folder).values())
+        self.assertEqual(cases[0]["state"], "finished")
+        self.assertEqual(cases[-1]["reason"], "a deck was changed while the study ran; start it again")
+        done = hawser(1, "study", deck, "-o", folder, seconds=240)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     def test_bad_sweeps_are_told_before_anything_runs(self):
         folder = fresh("bad")
         for old, new, sentence in (
