@@ -20,11 +20,8 @@ void Diagnostics::error(const Location& where, const std::string& sentence) {
   if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back({where, text});
 }
 
-void Diagnostics::warning(const Location& where, const std::string& sentence) {
-  warnings_.push_back({where, sentence});
-}
-
-std::string Diagnostics::text(std::vector<Entry> entries) {
+std::string Diagnostics::error_text() const {
+  std::vector<Entry> entries = errors_;
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.where < b.where; });
   std::string result;
@@ -34,9 +31,6 @@ std::string Diagnostics::text(std::vector<Entry> entries) {
   }
   return result;
 }
-
-std::string Diagnostics::error_text() const { return text(errors_); }
-std::string Diagnostics::warning_text() const { return text(warnings_); }
 
 void Diagnostics::throw_if_any() const {
   if (!ok()) throw DeckError(error_text());

@@ -165,7 +165,6 @@ TEST(Spec, FaultsOfTheWholeElement) {
 
 TEST(Spec, DiagnosticsBecomeOneDeckError) {
   Diagnostics diagnostics;
-  diagnostics.warning({"d.xml", 1, 1}, "only a warning");
   EXPECT_NO_THROW(diagnostics.throw_if_any());
   diagnostics.error({"d.xml", 10, 1}, "second");
   diagnostics.error({"d.xml", 9, 2}, "first");
@@ -175,7 +174,6 @@ TEST(Spec, DiagnosticsBecomeOneDeckError) {
   } catch (const DeckError& error) {
     EXPECT_STREQ(error.what(), "d.xml:9:2: first\nd.xml:10:1: second");
   }
-  EXPECT_EQ(diagnostics.warning_text(), "d.xml:1:1: only a warning");
 }
 
 TEST(Spec, OpenChildrenAreLeftToAHigherLayer) {

@@ -13,22 +13,19 @@ namespace hawser {
 class Diagnostics {
  public:
   void error(const Location& where, const std::string& sentence);
-  void warning(const Location& where, const std::string& sentence);
 
   std::size_t error_count() const { return errors_.size(); }
   bool ok() const { return errors_.empty(); }
 
-  std::string error_text() const;    ///< one line "file:line:column: sentence" per fault, by place
-  std::string warning_text() const;  ///< the same for warnings
-  void throw_if_any() const;         ///< one DeckError with error_text(), if there are errors
+  std::string error_text() const;  ///< one line "file:line:column: sentence" per fault, by place
+  void throw_if_any() const;       ///< one DeckError with error_text(), if there are errors
 
  private:
   struct Entry {
     Location where;
     std::string sentence;
   };
-  static std::string text(std::vector<Entry> entries);
-  std::vector<Entry> errors_, warnings_;
+  std::vector<Entry> errors_;
 };
 
 /// The allowed name that `given` most probably stands for; empty when none is near. Nearness is the
