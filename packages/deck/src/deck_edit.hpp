@@ -17,7 +17,8 @@ void extend(DeckNode& base, const DeckNode& changes, const DeckLanguage& languag
 void apply(const DeckChange& change, DeckNode& root, const DeckLanguage& language,
            Diagnostics& diagnostics);
 
-/// Evaluates the <parameter> children of the root and hands their values to every element.
+/// Evaluates the <parameter> children of the root and hands their values to every element. One that
+/// nothing uses and whose name nearly is that of one in use is a fault.
 void define_parameters(DeckNode& root, Diagnostics& diagnostics);
 
 /// The spec of a child; null when it is not known.

@@ -1,6 +1,7 @@
 // The named values of a deck.
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "hawser/deck/spec_reader.hpp"
 #include "src/deck_edit.hpp"
@@ -75,6 +76,42 @@ class Definitions {
   Diagnostics& diagnostics_;
 };
 
+/// The names in an element's values and in those of all inside of it.
+void collect_names(const DeckNode& node, std::set<std::string>& names) {
+  const auto in_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  static const std::set<std::string> prose = {"name", "title", "meaning", "why"};
+  for (const DeckAttribute& attribute : node.attributes) {
+    if (prose.count(attribute.name) > 0) continue;
+    const std::string& text = attribute.value;
+    for (auto at = text.begin(); at != text.end();) {
+      const auto end = std::find_if_not(at, text.end(), in_name);
+      if (end != at) names.emplace(at, end);
+      at = end == text.end() ? end : end + 1;
+    }
+  }
+  for (const DeckNode& child : node.children)
+    collect_names(child, names);
+}
+
+/// A parameter may wait for a deck that extends this one and uses it. Not so one whose name nearly
+/// is that of one in use: a change of a base's parameter under a wrong name would go unseen.
+void report_misspelt(const NamedValues& values, const DeckNode& root, Diagnostics& diagnostics) {
+  std::set<std::string> used;
+  collect_names(root, used);
+  std::vector<std::string> used_parameters;
+  for (const NamedValue& value : values)
+    if (used.count(value.name) > 0) used_parameters.push_back(value.name);
+  for (const NamedValue& value : values) {
+    if (used.count(value.name) > 0) continue;
+    const std::string meant = nearest_name(value.name, used_parameters);
+    if (!meant.empty())
+      diagnostics.error(value.location, "nothing uses the parameter '" + value.name +
+                                            "'; did you mean '" + meant + "'?");
+  }
+}
+
 void hand_out(const std::shared_ptr<const NamedValues>& names, DeckNode& node) {
   node.names = names;
   for (DeckNode& child : node.children)
@@ -87,7 +124,9 @@ void define_parameters(DeckNode& root, Diagnostics& diagnostics) {
   Definitions definitions(diagnostics);
   for (const DeckNode& child : root.children)
     if (child.tag == "parameter") definitions.add(child);
-  hand_out(std::make_shared<const NamedValues>(definitions.take()), root);
+  const auto values = std::make_shared<const NamedValues>(definitions.take());
+  report_misspelt(*values, root, diagnostics);
+  hand_out(values, root);
 }
 
 }  // namespace hawser
