@@ -11,112 +11,11 @@ import sys
 from pathlib import Path
 
 import sympy as sp
-from sympy.printing.str import StrPrinter
+
+from deck_text import DECKS, SIDES, deck, errors, moving_water, orders, schemes, text, water
+from forces import X, Y, cable_load, fluid_force, mesh_force, t, vanishes, x, y
 
 HERE = Path(__file__).resolve().parent
-x, y, X, Y, t = sp.symbols("x y X Y t", real=True)
-SOLVER = """  <solver><linear method="mumps" tolerance="1e-12"/><newton tolerance="1e-11"/></solver>"""
-SIDES = "left right bottom top"
-
-
-class Printer(StrPrinter):
-    def _print_Pow(self, expression, rational=False):
-        return super()._print_Pow(expression, rational).replace("**", "^")
-
-
-def text(*components):
-    """As a deck writes it; a component may be a text already."""
-    return "; ".join(c if isinstance(c, str) else Printer().doprint(c) for c in components)
-
-
-def grad(f):
-    return [sp.diff(f, x), sp.diff(f, y)]
-
-
-def vanishes(f):
-    """At a few places and times; to simplify a long expression takes for ever."""
-    return all(abs(sp.N(sp.sympify(f).subs({x: 0.3 + k, y: 0.7 - k, t: 0.4 + 2 * k}))) < 1e-12
-               for k in (0, 0.11, 0.37))
-
-
-def fluid_force(v, p, nu, rho=1):
-    """What the momentum equation leaves over, per mass; v must be free of divergence."""
-    assert vanishes(sp.diff(v[0], x) + sp.diff(v[1], y))
-    return [sp.diff(v[i], t) + v[0] * sp.diff(v[i], x) + v[1] * sp.diff(v[i], y)
-            - nu * (sp.diff(v[i], x, 2) + sp.diff(v[i], y, 2)) + grad(p)[i] / rho for i in (0, 1)]
-
-
-def mesh_force(d, poisson=sp.Rational(3, 10)):
-    """-div sigma over Young's modulus, about the reference."""
-    H = sp.Matrix(2, 2, lambda i, j: sp.diff(d[i], (X, Y)[j]))
-    strain = (H + H.T) / 2
-    stress = (poisson / ((1 + poisson) * (1 - 2 * poisson)) * strain.trace() * sp.eye(2) + strain / (1 + poisson))
-    return [-sum(sp.diff(stress[i, j], (X, Y)[j]) for j in (0, 1)) for i in (0, 1)]
-
-
-def cable_load(place, S, mass, stiffness, bending=0, damping=0):
-    """m d'' + k d' - (N x')' + (EI (I - tt) t''/|x'|)' of a cable that lies on the line S."""
-    slope = [sp.diff(c, S) for c in place]
-    length = sp.sqrt(sum(c**2 for c in slope))
-    tension = stiffness * (sum(c**2 for c in slope) - 1) / 2
-    tangent = [c / length for c in slope]
-    turn = [sp.diff(c, S, 2) for c in tangent]
-    along = sum(a * b for a, b in zip(tangent, turn))
-    return [mass * sp.diff(c, t, 2) + damping * sp.diff(c, t)
-            - sp.diff(tension * slope[i] - bending * (turn[i] - along * tangent[i]) / length, S)
-            for i, c in enumerate(place)]
-
-
-DECKS = {}
-
-
-def deck(name, title, header, body):
-    DECKS[f"{name}.xml"] = f"""<?xml version="1.0"?>
-<!-- Written by manufacture.py.
-{header.strip(chr(10))}
-
-    build/bin/hawser converge inputs/verification/{name}.xml -o results/{name}
--->
-<hawser title="{title}">
-{body.strip(chr(10))}
-{SOLVER}
-</hawser>
-"""
-
-
-def variant(name, base, title, header, body):
-    DECKS[f"{name}.xml"] = f"""<?xml version="1.0"?>
-<!-- Written by manufacture.py.
-{header.strip(chr(10))}
-
-    build/bin/hawser converge inputs/verification/{name}.xml -o results/{name}
--->
-<hawser extends="{base}.xml" title="{title}">
-{body.strip(chr(10))}
-</hawser>
-"""
-
-
-def schemes(base, title, quantities):
-    """The base deck, which has Newmark's damped method, with others."""
-    for name, attributes, order, why in (
-            ("trapezoidal", 'gamma="0.5" beta="0.25" start="initial-rates"', 2, "Newmark's method with gamma = 0.5"),
-            ("generalised_alpha", 'scheme="generalised-alpha" rho-infinity="0.5"', 2, "generalised-alpha")):
-        orders = "\n".join(f'    <order quantity="{q}" at-least="{order - 0.1:g}" why="{order}: {why}"/>'
-                           for q in quantities)
-        variant(f"{base}_{name}", base, f"{title}: {why}", f"{base}.xml with another time scheme.", f"""
-  <time {attributes}/>
-  <converge>
-{orders}
-  </converge>""")
-
-
-def orders(refine, levels, **least):
-    lines = "\n".join(f'    <order quantity="{q}" at-least="{number}" why="{why}"/>'
-                      for q, (number, why) in least.items())
-    return f'  <converge refine="{refine}" levels="{levels}">\n{lines}\n  </converge>'
-
-
 def taylor_green():
     nu = sp.Rational(1, 20)
     v = [sp.sin(sp.pi * x) * sp.cos(sp.pi * y) * sp.exp(-2 * nu * sp.pi**2 * t),
@@ -128,37 +27,12 @@ def taylor_green():
   Taylor and Green's decaying vortices, an exact solution of the Navier-Stokes equations without any force, on a mesh
   whose nodes move each in their own way; those of the boundary slide along it. Nothing flows through the boundary, so
   the pressure that is prescribed at one corner has no defect of mass to absorb.""", f"""
-  <mesh><water-box min="0 0" max="1 1" cells="8 8"/></mesh>
-  <modules>
-    <ale-fluid region="water" density="1" viscosity="{float(nu)}"/>
-    <mesh-motion region="water"/>
-  </modules>
+{water(8, nu)}
 {moving_water(d, v, p)}
   <time scheme="generalised-alpha" rho-infinity="0.5" step="0.05" end="0.5"/>
 {errors("water", velocity=v)}
 {errors("water", pressure=p)}
 {SPACE_ORDERS}""")
-
-
-def moving_water(d, v, p):
-    """All nodes' displacements, and the flow on the boundary."""
-    return f"""  <conditions>
-    <initial field="displacement" on="water" value="{text(*d)}"/>
-    <initial field="velocity" on="water" value="{text(*v)}"/>
-    <initial field="pressure" on="water" value="{text(p)}"/>
-    <prescribe field="displacement" on="water" value="{text(*d)}"/>
-    <prescribe field="velocity" on="{SIDES}" value="{text(*v)}"/>
-    <prescribe field="pressure" on="corner" value="{text(p)}"/>
-  </conditions>"""
-
-
-def errors(region, **fields):
-    lines = []
-    for field, exact in fields.items():
-        exact = exact if isinstance(exact, (list, tuple)) else [exact]
-        free = ' up-to-constant="true"' if field == "pressure" else ""
-        lines.append(f'  <error name="{field[0]}" field="{field}" on="{region}" exact="{text(*exact)}"{free}/>')
-    return "\n".join(lines)
 
 
 # The box keeps its shape, every node moves.
@@ -180,12 +54,7 @@ def fluid_space():
     deck("fluid_space", "A forced flow on a moving mesh: order in space and time together", """
   A flow in a closed box, at rest on its walls, driven by a body force; all nodes move, those of the boundary along it.
 """, f"""
-  <mesh><water-box min="0 0" max="1 1" cells="8 8"/></mesh>
-  <modules>
-    <ale-fluid region="water" density="1" viscosity="{float(nu)}"
-               body-force="{text(*fluid_force(v, p, nu))}"/>
-    <mesh-motion region="water"/>
-  </modules>
+{water(8, nu, fluid_force(v, p, nu))}
 {moving_water(SLIDING, v, p)}
   <time scheme="generalised-alpha" rho-infinity="0.5" step="0.05" end="0.5"/>
 {errors("water", velocity=v, pressure=p)}
@@ -203,12 +72,7 @@ def fluid_time():
   its own way. (On a boundary that changes its shape the velocities that generalised-alpha averages over a step would
   carry a net flow of second order through it, which the one node with a prescribed pressure had to absorb.)
 """, f"""
-  <mesh><water-box min="0 0" max="1 1" cells="4 4"/></mesh>
-  <modules>
-    <ale-fluid region="water" density="1" viscosity="0.05"
-               body-force="{text(*fluid_force(v, p, sp.Rational(1, 20)))}"/>
-    <mesh-motion region="water"/>
-  </modules>
+{water(4, sp.Rational(1, 20), fluid_force(v, p, sp.Rational(1, 20)))}
 {moving_water(CARRIED, v, p)}
   <time step="0.05" end="1"/>
 {errors("water", velocity=v, pressure=p)}
