@@ -107,15 +107,15 @@ def frame(tows):
     ]
 
 
-def conclusions(tows):
+def conclusions(tows, on_errors, on_forces):
     ends = [tows.get(u, a).quantity(END) - tows.get(u, a).quantity("end_error_exact_m")
             for u in tows.currents for a in tows.angles]
     rows = [tows.row(u, TOTAL) for u in tows.currents]
     growth = min(r[-1] - r[0] for r in rows)
     fall = [1 - tows.row(u, FORCE)[-1] / tows.row(u, FORCE)[0] for u in tows.currents]
     rise = [tows.get(tows.currents[-1], a).quantity(FORCE) / tows.get(tows.currents[0], a).quantity(FORCE) for a in tows.angles]
-    (_, linear, about), (_, current, less), _ = errors(tows)
-    *_, (_, step, stepped) = forces(tows)
+    (_, linear, about), (_, current, less), _ = on_errors
+    *_, (_, step, stepped) = on_forces
     return [
         ("Conclusion: the simulation reproduces the cable feathering phenomenon.",
          f"The cable feathers to within {max(map(abs, ends)):.2f} m of the exact straight cable at its end, in all of "
@@ -138,7 +138,8 @@ def claims(tows):
     """(sentence, finding, verdict) of each."""
     if not tows.complete:
         return []
-    return [*shape(tows), *errors(tows), *forces(tows), *frame(tows), *conclusions(tows)]
+    on_errors, on_forces = errors(tows), forces(tows)
+    return [*shape(tows), *on_errors, *on_forces, *frame(tows), *conclusions(tows, on_errors, on_forces)]
 
 
 def held(sweep):
