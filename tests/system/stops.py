@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 
 import harness
-from harness import BUILD, SCRATCH, Results, SystemTest, completed, difference, edited, fresh, hawser, main, ranks_of, started
+from harness import BUILD, SCRATCH, Results, SystemTest, completed, difference, edited, fresh, main, ranks_of, started
 
 harness.parser.add_argument("--count", type=int, default=4, help="of stops at random times")
 harness.parser.add_argument("--seed", type=int, default=None)

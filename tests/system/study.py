@@ -4,7 +4,6 @@ import re
 import signal
 import subprocess
 import time
-import unittest
 
 from harness import BUILD, ENVIRONMENT, ROOT, SCRATCH, SystemTest, fresh, hawser, main
 
@@ -55,6 +54,16 @@ def record(folder):
             for case in sweep["cases"]}
 
 
+def started(deck, folder, cases):
+    """A study, one run at a time, of which that many cases have ended."""
+    process = subprocess.Popen([BUILD / "bin/hawser", "study", deck, "-o", folder, "-j", "1"], env=ENVIRONMENT,
+                               stdout=subprocess.PIPE, text=True)
+    for line in process.stdout:
+        if line.startswith(f"[{cases}/"):
+            break
+    return process
+
+
 class Study(SystemTest):
     def test_a_failing_case_does_not_stop_the_others_and_the_report_tells_the_runs_numbers(self):
         folder = fresh("whole")
@@ -87,11 +96,7 @@ class Study(SystemTest):
     def test_an_interrupted_study_goes_on_where_it_was(self):
         folder = fresh("parts")
         deck = study("parts", "42 60")
-        process = subprocess.Popen([BUILD / "bin/hawser", "study", deck, "-o", folder, "-j", "1"], env=ENVIRONMENT,
-                                   stdout=subprocess.PIPE, text=True)
-        for line in process.stdout:
-            if line.startswith("[2/6]"):
-                break
+        process = started(deck, folder, cases=2)
         time.sleep(0.3)
         process.send_signal(signal.SIGTERM)
         rest = process.communicate(timeout=240)[0]
@@ -112,11 +117,7 @@ class Study(SystemTest):
     def test_a_deck_that_changes_while_the_study_runs_is_noticed(self):
         folder = fresh("changed")
         deck = study("changed", "42 60")
-        process = subprocess.Popen([BUILD / "bin/hawser", "study", deck, "-o", folder, "-j", "1"], env=ENVIRONMENT,
-                                   stdout=subprocess.PIPE, text=True)
-        for line in process.stdout:
-            if line.startswith("[1/6]"):
-                break
+        process = started(deck, folder, cases=1)
         tow = deck.parent / "tow.xml"
         tow.write_text(tow.read_text().replace('name="hold" value="40"', 'name="hold" value="60"'))
         rest = process.communicate(timeout=240)[0]

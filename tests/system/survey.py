@@ -1,5 +1,4 @@
 """What a survey planner asks for: receivers, currents from a table, way-points, a frame that follows the tug."""
-import unittest
 
 import numpy as np
 
