@@ -2,10 +2,9 @@
 import json
 import re
 import signal
-import subprocess
 import time
 
-from harness import BUILD, ENVIRONMENT, ROOT, SCRATCH, SystemTest, fresh, hawser, main
+from harness import ROOT, SCRATCH, SystemTest, fresh, hawser, main, started
 
 TOW = """<hawser extends="{base}" title="A tow for tests">
   <parameter name="hold" value="40"/>
@@ -54,10 +53,9 @@ def record(folder):
             for case in sweep["cases"]}
 
 
-def started(deck, folder, cases):
-    """A study, one run at a time, of which that many cases have ended."""
-    process = subprocess.Popen([BUILD / "bin/hawser", "study", deck, "-o", folder, "-j", "1"], env=ENVIRONMENT,
-                               stdout=subprocess.PIPE, text=True)
+def study_after(cases, deck, folder):
+    """The process of a study, one run at a time, of which that many cases have ended."""
+    process = started(1, "study", deck, "-o", folder, "-j", "1")
     for line in process.stdout:
         if line.startswith(f"[{cases}/"):
             break
@@ -96,7 +94,7 @@ class Study(SystemTest):
     def test_an_interrupted_study_goes_on_where_it_was(self):
         folder = fresh("parts")
         deck = study("parts", "42 60")
-        process = started(deck, folder, cases=2)
+        process = study_after(2, deck, folder)
         time.sleep(0.3)
         process.send_signal(signal.SIGTERM)
         rest = process.communicate(timeout=240)[0]
@@ -117,7 +115,7 @@ class Study(SystemTest):
     def test_a_deck_that_changes_while_the_study_runs_is_noticed(self):
         folder = fresh("changed")
         deck = study("changed", "42 60")
-        process = started(deck, folder, cases=1)
+        process = study_after(1, deck, folder)
         tow = deck.parent / "tow.xml"
         tow.write_text(tow.read_text().replace('name="hold" value="40"', 'name="hold" value="60"'))
         rest = process.communicate(timeout=240)[0]
