@@ -42,7 +42,7 @@ def family(case, coarser):
 
 def towed(tows, coarser, figures):
     """Forces of the towed cables; with runs on two coarser meshes also their limits."""
-    rows, limits = [], {}
+    rows, families = [], {}
     for u in tows.currents:
         for a in tows.angles:
             case = tows.get(u, a)
@@ -53,7 +53,8 @@ def towed(tows, coarser, figures):
                 scales, forces = family(case, coarser)
                 row += cell(" / ".join(f"{force:.0f}" for force in forces))
                 if len(forces) == 3:
-                    limit = limits[u, a] = dt.grid_limit(scales, forces)
+                    limit = dt.grid_limit(scales, forces)
+                    families[u, a] = scales, np.array(forces) / plate, limit, plate
                     row += limit_cells(limit, dt.force_bar(u))
                     best = limit.value
                 else:
@@ -63,24 +64,24 @@ def towed(tows, coarser, figures):
                 best = case.quantity(FORCE)
                 row += cell(best, "{:.0f}")
             rows.append("<tr>" + row + cell(plate, "{:.0f}") + cell(best / plate, "{:.3f}") + cell(dt.drag_law_tension(w), "{:.0f}") + "</tr>")
-    if limits:
-        draw_towed(tows, coarser, limits, figures)
+    if families:
+        draw_towed(tows, families, figures)
     found = ["force on three meshes (N per m of depth)", "order", "limit (N per m)", "uncertainty", "within 3 %, 5 % at 2 m/s"]
     head = ["U (m/s)", "θ (degrees)", "W (m/s)", *(found if coarser else ["tow force (N per m of depth)"]),
             "plate friction (N per m)", "ratio", "drag law, one streamer (N)"]
-    return "<h2>Forces</h2>\n" + PER_METRE + table(head, rows) + (LIMITS if limits else "") + FORMULAS
+    return "<h2>Forces</h2>\n" + PER_METRE + table(head, rows) + (LIMITS if families else "") + FORMULAS
 
 
-def draw_towed(tows, coarser, limits, figures):
+def draw_towed(tows, families, figures):
+    """families: (mesh scales, forces over plate friction, limit, plate friction) per current and angle."""
     figure, panels = plt.subplots(1, len(tows.currents), figsize=(4.6 * len(tows.currents), 4.2), sharey=True, squeeze=False)
     for axes, u in zip(panels[0], tows.currents):
         for i, a in enumerate(tows.angles):
-            if (u, a) not in limits:
+            if (u, a) not in families:
                 continue
-            scales, forces = family(tows.get(u, a), coarser)
-            plate = dt.plate_force(dt.relative_speed(u, a))
-            axes.plot(scales, np.array(forces) / plate, **style(i), label=f"θ = {a:g} degrees")
-            draw_limit(axes, limits[u, a], plate, i, 0.03 * (i - 1.5))
+            scales, ratios, limit, plate = families[u, a]
+            axes.plot(scales, ratios, **style(i), label=f"θ = {a:g} degrees")
+            draw_limit(axes, limit, plate, i, 0.03 * (i - 1.5))
         axes.axhline(1, color="black", lw=1, ls=":")
         axes.set(xlabel="size of the cells / coarsest (-)", title=f"U = {u:g} m/s", xlim=(-0.09, 1.05))
     panels[0, 0].set_ylabel("tow force / boundary-layer formula (-)")
