@@ -8,7 +8,8 @@
 #     TIMEOUT 300)                    # s
 #
 # There is no main() to write: tests/support has it. It silences ranks other than 0 unless they fail,
-# and a failure on any rank fails the test. HAWSER_SOURCE_DIR is defined as the root of the repository.
+# and a failure on any rank fails the test. A source that needs the repository's root is compiled with
+# HAWSER_SOURCE_DIR (hawser_knows_source_dir(file)); the others stay the same to ccache in every checkout.
 #
 #   hawser_mpi_test(NAME x RANKS 2 COMMAND program arguments...)   # any program, run likewise
 # A literal @RANKS@ in the arguments becomes the number of ranks.
@@ -48,8 +49,7 @@ function(hawser_test)
   set_target_properties(${target} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  target_compile_definitions(${target} PRIVATE HAWSER_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-    HAWSER_TEST_NAME="${arg_NAME}")
+  target_compile_definitions(${target} PRIVATE HAWSER_TEST_NAME="${arg_NAME}")
   set(main hawser_test_main)
   if(arg_TPETRA)
     set(main hawser_test_main_tpetra)
@@ -65,4 +65,9 @@ function(hawser_test)
   if(NOT arg_RANKS)
     file(MAKE_DIRECTORY ${folder}.np1)
   endif()
+endfunction()
+
+function(hawser_knows_source_dir)
+  set_source_files_properties(${ARGN} PROPERTIES
+    COMPILE_DEFINITIONS HAWSER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 endfunction()
