@@ -3,9 +3,9 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/deck/manual.hpp"
+#include "hawser/physics/plugin_loader.hpp"
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/deck_templates.hpp"
-#include "hawser/simulation/plugin_loader.hpp"
 #include "known_modules.hpp"
 #include "verb.hpp"
 

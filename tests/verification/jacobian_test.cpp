@@ -11,7 +11,7 @@
 #include "figure.hpp"
 #include "hawser/fields/tabulate.hpp"
 #include "hawser/mesh/generate.hpp"
-#include "hawser/simulation/plugin_loader.hpp"
+#include "hawser/physics/plugin_loader.hpp"
 #include "mesh_motion.hpp"
 
 namespace hawser {

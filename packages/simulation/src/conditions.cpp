@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/fields/look_up.hpp"
 #include "hawser/physics/field_use.hpp"
-#include "src/look_up.hpp"
 
 namespace hawser {
 namespace {

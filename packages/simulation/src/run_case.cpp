@@ -1,8 +1,8 @@
 #include "src/run_case.hpp"
 
 #include "hawser/base/error.hpp"
+#include "hawser/physics/plugin_loader.hpp"
 #include "hawser/simulation/deck_language.hpp"
-#include "hawser/simulation/plugin_loader.hpp"
 
 namespace hawser {
 namespace {

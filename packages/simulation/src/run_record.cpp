@@ -1,8 +1,8 @@
 #include "src/run_record.hpp"
 
+#include "hawser/output/provenance.hpp"
+#include "hawser/time/state_checkpoint.hpp"
 #include "src/mesh_monitor.hpp"
-#include "src/provenance.hpp"
-#include "src/state_checkpoint.hpp"
 
 namespace hawser {
 namespace {

@@ -5,15 +5,15 @@
 #include <filesystem>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/scratch_folder.hpp"
+#include "hawser/base/signals.hpp"
+#include "hawser/output/provenance.hpp"
 #include "hawser/simulation/deck_language.hpp"
+#include "hawser/time/state_checkpoint.hpp"
 #include "src/preview.hpp"
-#include "src/provenance.hpp"
 #include "src/run_case.hpp"
 #include "src/run_log.hpp"
 #include "src/run_record.hpp"
-#include "src/run_signals.hpp"
-#include "src/scratch_folder.hpp"
-#include "src/state_checkpoint.hpp"
 
 namespace hawser {
 
@@ -147,7 +147,7 @@ struct Simulation::Implementation {
     return hawser::preview(*system, deck(), deck().time.step);
   }
 
-  void step_to_the_end(const RunSignals& signals) {
+  void step_to_the_end(const Signals& signals) {
     const auto lap = run_watch.lap();
     while (!steps->finished(now())) {
       obey(signals.take());
@@ -162,7 +162,7 @@ struct Simulation::Implementation {
 
   Summary run() {
     // What comes while the mesh is made is obeyed afterwards.
-    const RunSignals signals(communicator);
+    const Signals signals(communicator);
     const ResultFolder folder(communicator, options.output, existing_results());
     set_up(folder);
     step_to_the_end(signals);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "src/look_up.hpp"
+#include "hawser/fields/look_up.hpp"
 
 namespace hawser {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/fields/look_up.hpp"
 #include "hawser/physics/field_use.hpp"
-#include "src/look_up.hpp"
 
 namespace hawser {
 namespace {

@@ -9,8 +9,7 @@
 #include "hawser/physics/module_registry.hpp"
 #include "hawser/simulation/verification_deck.hpp"
 #include "hawser/solve/nonlinear_driver.hpp"
-#include "hawser/time/step_control.hpp"
-#include "hawser/time/time_integrator.hpp"
+#include "hawser/time/time_deck.hpp"
 #include "hawser/values/track.hpp"
 
 namespace hawser {
@@ -94,16 +93,6 @@ struct ConditionDeck {
 struct ConditionsDeck {
   std::vector<ConditionDeck> initial, prescribe;
   static Spec<ConditionsDeck> spec();
-};
-
-struct TimeDeck : StepOptions {
-  TimeScheme::Method method = TimeScheme::Method::newmark;
-  std::optional<double> beta, gamma, rho_infinity;
-  bool euler_start = true;
-  Location location;
-  bool steady() const { return method == TimeScheme::Method::steady; }
-  TimeScheme scheme() const;
-  static Spec<TimeDeck> spec();
 };
 
 struct SolverDeck {

@@ -1,4 +1,4 @@
-#include "src/look_up.hpp"
+#include "hawser/fields/look_up.hpp"
 
 #include <vector>
 

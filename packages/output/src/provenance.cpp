@@ -1,4 +1,4 @@
-#include "src/provenance.hpp"
+#include "hawser/output/provenance.hpp"
 
 #include <Trilinos_version.h>
 #include <unistd.h>

@@ -17,13 +17,13 @@ struct Request {
 
 /// Takes the signals while it lives; one at a time. A second signal to stop ends the process at
 /// once.
-class RunSignals {
+class Signals {
  public:
   /// On return every rank takes them. Collective.
-  explicit RunSignals(const Communicator& communicator);
-  ~RunSignals();
-  RunSignals(const RunSignals&) = delete;
-  RunSignals& operator=(const RunSignals&) = delete;
+  explicit Signals(const Communicator& communicator);
+  ~Signals();
+  Signals(const Signals&) = delete;
+  Signals& operator=(const Signals&) = delete;
 
   /// The strongest request that reached any rank since the last call, the same on all. Collective.
   Request take() const;

@@ -1,4 +1,4 @@
-#include "src/scratch_folder.hpp"
+#include "hawser/base/scratch_folder.hpp"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "src/run_signals.hpp"
+#include "hawser/base/signals.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -31,7 +31,7 @@ bool is_stop(int signal) {
 
 }  // namespace
 
-RunSignals::RunSignals(const Communicator& communicator) : communicator_(communicator) {
+Signals::Signals(const Communicator& communicator) : communicator_(communicator) {
   stop_signal = 0;
   checkpoint_signal = 0;
   for (int i = 0; i < count; ++i) {
@@ -43,12 +43,12 @@ RunSignals::RunSignals(const Communicator& communicator) : communicator_(communi
   communicator_.any(false);  // waits for all
 }
 
-RunSignals::~RunSignals() {
+Signals::~Signals() {
   for (int i = 0; i < count; ++i)
     sigaction(taken[i], &before_[i], nullptr);
 }
 
-Request RunSignals::take() const {
+Request Signals::take() const {
   constexpr int stop_weight = 1000;  // above any signal's number
   int strongest = stop_signal != 0 ? stop_weight + stop_signal : checkpoint_signal;
   checkpoint_signal = 0;

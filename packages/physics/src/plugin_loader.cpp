@@ -1,4 +1,4 @@
-#include "hawser/simulation/plugin_loader.hpp"
+#include "hawser/physics/plugin_loader.hpp"
 
 #include <dlfcn.h>
 #include <sys/stat.h>

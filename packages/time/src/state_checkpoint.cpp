@@ -1,4 +1,4 @@
-#include "src/state_checkpoint.hpp"
+#include "hawser/time/state_checkpoint.hpp"
 
 #include "hawser/base/error.hpp"
 

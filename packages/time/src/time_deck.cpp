@@ -1,5 +1,4 @@
-// What a deck says of <time>.
-#include "hawser/simulation/deck_parameters.hpp"
+#include "hawser/time/time_deck.hpp"
 
 namespace hawser {
 namespace {
