@@ -1,6 +1,6 @@
 # How a package, a module and a program are declared.
 #
-#   hawser_package(NAME mesh LAYER 1
+#   hawser_package(NAME mesh LAYER 2
 #     SOURCES src/read_mesh.cpp src/partition.cpp
 #     DEPENDS base                    # packages of lower layers; every one that is included, by name
 #     LIBRARIES METIS::METIS          # seen by who links the package; see dependencies.cmake
@@ -17,7 +17,7 @@
 #
 #   hawser_program(NAME hawser SOURCES main.cpp DEPENDS simulation ale_fluid LIBRARIES CLI11::CLI11)
 #
-# an executable in build/bin (layer 6).
+# an executable in build/bin (layer 10).
 
 include(check_layers)
 
@@ -86,5 +86,5 @@ function(hawser_program)
   target_compile_definitions(hawser_${arg_NAME}_program PRIVATE HAWSER_VERSION="${PROJECT_VERSION}")
   target_include_directories(hawser_${arg_NAME}_program PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   install(TARGETS hawser_${arg_NAME}_program)
-  hawser_declare_layer(${arg_NAME} 6 "${arg_DEPENDS}")
+  hawser_declare_layer(${arg_NAME} 10 "${arg_DEPENDS}")
 endfunction()

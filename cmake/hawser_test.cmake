@@ -55,16 +55,8 @@ function(hawser_test)
     set(main hawser_test_main_tpetra)
   endif()
   target_link_libraries(${target} PRIVATE hawser_warnings ${main} ${arg_LIBRARIES})
-  # In its own folder, so that the files of tests run side by side do not meet.
-  set(folder ${PROJECT_BINARY_DIR}/tests/run/${arg_NAME})
   hawser_mpi_test(NAME ${arg_NAME} RANKS ${arg_RANKS} LABELS ${arg_LABELS} TIMEOUT ${arg_TIMEOUT}
-    COMMAND --wdir ${folder}.np@RANKS@ $<TARGET_FILE:${target}>)
-  foreach(ranks IN LISTS arg_RANKS)
-    file(MAKE_DIRECTORY ${folder}.np${ranks})
-  endforeach()
-  if(NOT arg_RANKS)
-    file(MAKE_DIRECTORY ${folder}.np1)
-  endif()
+    COMMAND $<TARGET_FILE:${target}>)
 endfunction()
 
 function(hawser_knows_source_dir)

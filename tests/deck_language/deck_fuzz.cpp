@@ -151,7 +151,7 @@ std::string fault_of(const Files& files, const std::string& file,
     const RunDeck run = RunDeck::spec().read(deck.root, diagnostics);
     for (const DeckNode& node : run.modules.modules)
       if (is_known_child(node, "modules", modules().tags(), diagnostics))
-        modules().find(node.tag)->make(node, run.mesh.context(), diagnostics);
+        modules().find(node.tag)->make(node, {run.mesh.dimension()}, diagnostics);
     if (diagnostics.ok()) {
       // What is accepted must survive being written and read again, as in a checkpoint.
       const std::string resolved =

@@ -4,6 +4,8 @@
 #include <mpi.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <string>
 
 #ifdef HAWSER_TEST_TPETRA
 #include <Tpetra_Core.hpp>
@@ -34,11 +36,25 @@ class FailurePrinter : public testing::EmptyTestEventListener {
   int rank_;
 };
 
+// The files of tests that run side by side do not meet, nor does one started by hand leave its own
+// where it was started: tests/bin/x_test works in tests/run/x.np2.
+void enter_own_folder() {
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const auto program = std::filesystem::read_symlink("/proc/self/exe");
+  const auto name = program.filename().string();
+  const auto folder = program.parent_path().parent_path() / "run" /
+                      (name.substr(0, name.rfind('_')) + ".np" + std::to_string(ranks));
+  std::filesystem::create_directories(folder);
+  std::filesystem::current_path(folder);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   testing::InitGoogleMock(&argc, argv);
   Parallel parallel(&argc, &argv);
+  enter_own_folder();
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank != 0) {

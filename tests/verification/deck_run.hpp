@@ -27,7 +27,7 @@ class DeckRun {
     register_mesh_motion(registry);
     std::vector<PhysicsModule> modules;
     for (const DeckNode& node : deck_.modules.modules)
-      modules.push_back(registry.find(node.tag)->make(node, deck_.mesh.context(), diagnostics));
+      modules.push_back(registry.find(node.tag)->make(node, {deck_.mesh.dimension()}, diagnostics));
     diagnostics.throw_if_any();
     const Communicator all;
     deck_.mesh.generate(all, "deck_run.msh");

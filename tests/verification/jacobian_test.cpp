@@ -62,8 +62,8 @@ ModuleRegistry all_modules_there_are() {
 
 Mesh small_tow() {
   TowBox box;
-  box.x_min = -2, box.y_min = -3, box.x_max = 2, box.y_max = 2;
-  box.tail[0] = 0.3, box.tail[1] = -1;
+  box.min = {-2, -3}, box.max = {2, 2};
+  box.tail = {0.3, -1};
   box.cable_size = 0.3, box.far_size = 0.5;
   generate_mesh(Communicator(), box, "small_tow.msh");
   return read_mesh(Communicator(), {"small_tow.msh", {"cable"}});

@@ -142,7 +142,8 @@ std::array<double, 2> errors(const DofMap& dofs, const State& state) {
 std::array<double, 2> errors_with(int cells) {
   const Communicator all;
   WaterBox square;
-  square.cells[0] = square.cells[1] = cells;
+  square.min = {0, 0}, square.max = {1, 1};
+  square.cells.assign(2, cells);
   generate_mesh(all, square, "square.msh");
   const Mesh mesh = read_mesh(all, {"square.msh", {}});
   std::vector<PhysicsModule> modules(1);

@@ -212,7 +212,9 @@ std::vector<Assembler::CellValues> Assembler::cell_quantities(const Region& regi
     if (quantities.empty()) continue;
     const std::size_t first = result.size();
     for (const auto& quantity : quantities)
-      result.push_back({quantity.name, quantity.unit, {}});
+      result.push_back({quantity.name,
+                        quantity.unit + (quantity.per_depth ? dofs().mesh().per_depth() : ""),
+                        {}});
     CellGatherer gatherer(cells, dofs().mesh(), state);
     std::vector<double> values(quantities.size());
     for (LocalIndex cell = 0; cell < region.size(); ++cell) {

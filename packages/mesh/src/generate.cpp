@@ -22,9 +22,9 @@ std::string text(double value) {
 
 template <class Box>
 std::vector<std::string> common_arguments(const Box& b, const std::string& path) {
-  return {"--box",           text(b.x_min),
-          text(b.y_min),     text(b.x_max),
-          text(b.y_max),     "--flow-direction=" + b.flow_direction,
+  return {"--box",           text(b.min[0]),
+          text(b.min[1]),    text(b.max[0]),
+          text(b.max[1]),    "--flow-direction=" + b.flow_direction,
           "--refinements",   std::to_string(b.refinements),
           "--output=" + path};
 }
@@ -90,7 +90,8 @@ std::string generate_mesh(const Communicator& communicator, const WaterBox& box,
   arguments.push_back("--no-cable");
   if (box.cells[0] != 0 || box.cells[1] != 0) {
     arguments.insert(arguments.end(),
-                     {"--structured", std::to_string(box.cells[0]), std::to_string(box.cells[1])});
+                     {"--structured", std::to_string(static_cast<int>(box.cells[0])),
+                      std::to_string(static_cast<int>(box.cells[1]))});
   } else {
     arguments.insert(arguments.end(), {"--far-size", text(box.size)});
   }

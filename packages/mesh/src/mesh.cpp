@@ -14,6 +14,8 @@ bool Mesh::has_body() const {
                      [](const Region& region) { return region.shape == CellShape::triangle; });
 }
 
+const char* Mesh::per_depth() const { return dimension == 2 && has_body() ? "/m" : ""; }
+
 const Region* Mesh::find(const std::string& name) const {
   for (const auto& region : regions) {
     if (region.name == name) return &region;

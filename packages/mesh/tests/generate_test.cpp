@@ -18,11 +18,9 @@ namespace {
 
 TowBox deep_tow() {
   TowBox box;
-  box.x_min = -4369.35;
-  box.y_min = -5500;
-  box.x_max = 4369.35;
-  box.y_max = 4348.6;
-  box.tail[1] = -420;
+  box.min = {-4369.35, -5500};
+  box.max = {4369.35, 4348.6};
+  box.tail = {0, -420};
   box.cable_size = 20;
   return box;
 }
@@ -72,8 +70,8 @@ TEST(Generate, FinerEnds) {
 TEST(Generate, AStructuredGrid) {
   const Communicator all;
   WaterBox box;
-  box.cells[0] = 4;
-  box.cells[1] = 3;
+  box.min = {0, 0}, box.max = {1, 1};
+  box.cells = {4, 3};
   box.flow_direction = "+x";
   generate_mesh(all, box, "grid.msh");
   const auto mesh = read_mesh(all, {"grid.msh", {}});
@@ -120,7 +118,7 @@ TEST(Generate, RefusesWhatCannotBeMeshed) {
   expect_refused(box, "no.msh",
                  "the end size must not be negative nor exceed the cable size, given 30");
   box = deep_tow();
-  box.x_max = -5000;
+  box.max[0] = -5000;
   expect_refused(box, "no.msh",
                  "the box needs xmin < xmax and ymin < ymax, given -4369.35 -5500 -5000 4348.6");
   expect_refused(deep_tow(), "no/such/folder.msh", "cannot write no/such/folder.msh");

@@ -74,13 +74,9 @@ class CableKernel : public ElementKernel<CableKernel<D>> {
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;
 
-  /// `weight`: N per reference length. `force_unit`: of the reported tension.
-  CableKernel(std::string region, const CableProperties& cable, const Vector<double, D>& weight,
-              const char* force_unit)
-      : ElementKernel<CableKernel>(std::move(region)),
-        cable_(cable),
-        weight_(weight),
-        force_unit_(force_unit) {}
+  /// `weight`: N per reference length.
+  CableKernel(std::string region, const CableProperties& cable, const Vector<double, D>& weight)
+      : ElementKernel<CableKernel>(std::move(region)), cable_(cable), weight_(weight) {}
 
   template <class Element, class T>
   void element_residual(const Element& at, T* out) const {
@@ -102,7 +98,7 @@ class CableKernel : public ElementKernel<CableKernel<D>> {
     }
   }
 
-  std::vector<Kernel::Quantity> quantities() const override { return {{"tension", force_unit_}}; }
+  std::vector<Kernel::Quantity> quantities() const override { return {{"tension", "N", true}}; }
   /// The true tension, stretch times second Piola tension.
   void evaluate(const CellInput& cell, double* values) const override {
     const Segment<double, D> segment(
@@ -116,7 +112,6 @@ class CableKernel : public ElementKernel<CableKernel<D>> {
  private:
   CableProperties cable_;
   Vector<double, D> weight_;
-  const char* force_unit_;
 };
 
 }  // namespace hawser

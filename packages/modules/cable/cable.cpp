@@ -119,10 +119,9 @@ Vector<double, D> weight(const Cable& deck) {
 }
 
 template <int D>
-PhysicsModule make_cable(const Cable& deck, const ModuleContext& context) {
+PhysicsModule make_cable(const Cable& deck) {
   PhysicsModule module{"cable", "structure", {}, {}};
-  module.kernels.push_back(
-      std::make_unique<CableKernel<D>>(deck.region, deck, weight<D>(deck), context.force_unit));
+  module.kernels.push_back(std::make_unique<CableKernel<D>>(deck.region, deck, weight<D>(deck)));
   if (!deck.load.value.empty())
     module.kernels.push_back(std::make_unique<CableLoadKernel<D>>(deck.region, deck.load.value));
   for (const PointLoad& load : deck.point_loads)
@@ -154,7 +153,7 @@ PhysicsModule make_cable_in(const Cable& deck, const ModuleContext& context,
   for (const PointLoad& point : deck.point_loads)
     check_length(point.force, "force");
   if (!diagnostics.ok()) return {};
-  return context.dimension == 3 ? make_cable<3>(deck, context) : make_cable<2>(deck, context);
+  return context.dimension == 3 ? make_cable<3>(deck) : make_cable<2>(deck);
 }
 
 }  // namespace

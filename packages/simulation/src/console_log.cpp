@@ -94,7 +94,7 @@ void ConsoleLog::expectation(const ExpectDeck& expect, const Summary& summary) {
 }
 
 void ConsoleLog::finish(const System& system, const RunDeck& deck, const Summary& summary) {
-  const std::string unit = force_unit(system.mesh);
+  const std::string unit = system.mesh.force_unit();
   if (tells() && system.tow) tow_table(summary, unit);
   if (tells() && !system.tow)
     for (const ForceReport& force : system.forces) {

@@ -7,10 +7,6 @@
 
 namespace hawser {
 
-const char* force_unit(const Mesh& mesh) {
-  return mesh.dimension == 2 && mesh.has_body() ? "N/m" : "N";
-}
-
 Force split_force(const std::vector<double>& force, const std::vector<double>& axis) {
   double squared = 0, length = 0, along = 0;
   for (std::size_t j = 0; j < axis.size(); ++j) {

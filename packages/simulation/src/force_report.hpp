@@ -14,9 +14,6 @@ struct Force {
   double along = 0, across = 0, magnitude = 0;
 };
 
-/// "N/m" in a flow in the plane, else "N".
-const char* force_unit(const Mesh& mesh);
-
 /// The force as seen from an axis (of any length); both have the mesh's dimension.
 Force split_force(const std::vector<double>& force, const std::vector<double>& axis);
 

@@ -13,7 +13,7 @@ Histories::Histories(const Mesh& mesh, const std::string& folder, const TowRepor
                      std::optional<double> keep_until)
     : tow_(tow), dimension_(static_cast<std::size_t>(mesh.dimension)) {
   const Communicator& communicator = mesh.communicator;
-  const std::string newton = force_unit(mesh);
+  const std::string newton = mesh.force_unit();
   std::vector<Column> columns = {{"t", "s"},
                                  {"t_balance", "s"},
                                  {"step", "s"},

@@ -13,7 +13,7 @@ std::vector<Column> columns_in(const Mesh& mesh) {
       {"t", "s"}, {"receiver", ""}, {"arc_length", "m"}, {"x", "m"}, {"y", "m"}};
   if (mesh.dimension == 3) columns.push_back({"z", "m"});
   for (const Column& column :
-       {Column{"offset", "m"}, {"feather_angle", "deg"}, {"tension", force_unit(mesh)}})
+       {Column{"offset", "m"}, {"feather_angle", "deg"}, {"tension", mesh.force_unit()}})
     columns.push_back(column);
   return columns;
 }

@@ -24,7 +24,7 @@ std::vector<PhysicsModule> make_modules(const DeckNode& root, const RunDeck& dec
   std::vector<PhysicsModule> modules;
   for (const DeckNode& node : deck.modules.modules) {
     if (!is_known_child(node, "modules", registry.tags(), diagnostics)) continue;
-    modules.push_back(registry.find(node.tag)->make(node, deck.mesh.context(), diagnostics));
+    modules.push_back(registry.find(node.tag)->make(node, {deck.mesh.dimension()}, diagnostics));
     modules.back().location = node.location;
   }
   if (modules.empty() && diagnostics.ok())

@@ -8,7 +8,7 @@ namespace hawser {
 namespace {
 
 void set_force(Summary& summary, const std::string& name, const Force& force, const Mesh& mesh) {
-  const std::string unit = force_unit(mesh);
+  const std::string unit = mesh.force_unit();
   summary.set(quantity_name({name + "_force", unit}), force.magnitude);
   summary.set(quantity_name({name + "_force_along", unit}), force.along);
   summary.set(quantity_name({name + "_force_across", unit}), force.across);

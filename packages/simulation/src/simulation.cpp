@@ -230,7 +230,7 @@ std::string Simulation::make_mesh(const std::string& file) {
   const MeshDeck& deck = implementation_->deck().mesh;
   try {
     const std::string made = provide_mesh(communicator, implementation_->run_case, file).file;
-    return describe_mesh(read_mesh(communicator, {made, deck.slits, deck.context().dimension}));
+    return describe_mesh(read_mesh(communicator, {made, deck.slits, deck.dimension()}));
   } catch (const MeshError& error) {
     throw MeshError(deck.location.text() + ": " + error.what());
   }

@@ -81,7 +81,7 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
                                      std::vector<PhysicsModule> modules,
                                      const std::string& mesh_file) {
   auto system = std::make_unique<System>(
-      System{read_mesh(communicator, {mesh_file, deck.mesh.slits, deck.mesh.context().dimension}),
+      System{read_mesh(communicator, {mesh_file, deck.mesh.slits, deck.mesh.dimension()}),
              std::move(modules),
              {},
              {},

@@ -5,35 +5,39 @@
 #include <vector>
 
 #include "hawser/base/communicator.hpp"
+#include "hawser/deck/spec.hpp"
 
 namespace hawser {
 
-/// A box of water with a straight cable in it. Lengths in m.
+/// A box of water with a straight cable in it. Places are pairs of coordinates; lengths in m.
 struct TowBox {
-  double x_min = 0, y_min = 0, x_max = 0, y_max = 0;
-  double tow_point[2] = {0, 0};       ///< where the cable starts
-  double tail[2] = {0, 0};            ///< where it ends
-  double cable_size = 10;             ///< segment length on the cable
-  double far_size = 500;              ///< largest size
-  double growth = 0.15;               ///< of the size per distance from the cable
-  double end_size = 0;                ///< segment length at the cable's ends; 0: as on the cable
-  std::string flow_direction = "-y";  ///< -y, +y, -x or +x
-  int refinements = 0;                ///< how often every triangle is cut into four
+  std::vector<double> min, max;            ///< lower left and upper right corner
+  std::vector<double> tow_point = {0, 0};  ///< where the cable starts
+  std::vector<double> tail;                ///< where it ends
+  double cable_size = 10;                  ///< segment length on the cable
+  double far_size = 500;                   ///< largest size
+  double growth = 0.15;                    ///< of the size per distance from the cable
+  double end_size = 0;                     ///< segment length at the cable's ends; 0: as elsewhere
+  std::string flow_direction = "-y";       ///< -y, +y, -x or +x
+  int refinements = 0;                     ///< how often every triangle is cut into four
+  static Spec<TowBox> spec();
 };
 
-/// A box of water alone, for verification.
+/// A box of water alone.
 struct WaterBox {
-  double x_min = 0, y_min = 0, x_max = 1, y_max = 1;
-  double size = 0;        ///< of unstructured triangles, m
-  int cells[2] = {0, 0};  ///< not 0: a grid of right triangles instead
+  std::vector<double> min, max;
+  double size = 0;                     ///< of unstructured triangles, m
+  std::vector<double> cells = {0, 0};  ///< not 0: a grid of right triangles instead
   std::string flow_direction = "-y";
   int refinements = 0;
+  static Spec<WaterBox> spec();
 };
 
 /// A straight line alone, in the plane or in space.
 struct LineMesh {
   std::vector<double> from, to;  ///< 2 or 3 coordinates, m
   int segments = 1;
+  static Spec<LineMesh> spec();
 };
 
 /// Region "cable", points "tow-point" (from), "tail" (to) and, with an even number of segments,

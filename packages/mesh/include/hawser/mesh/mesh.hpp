@@ -64,6 +64,10 @@ struct Mesh {
   std::vector<Region> regions;
 
   bool has_body() const;  ///< some region is of triangles, on all ranks alike
+  /// What follows the unit of a force: "/m" where a body in the plane stands for one of any depth,
+  /// else nothing.
+  const char* per_depth() const;
+  std::string force_unit() const { return std::string("N") + per_depth(); }
   /// Null when there is none, on all ranks alike.
   const Region* find(const std::string& name) const;
   /// MeshError naming the regions there are.

@@ -69,6 +69,7 @@ class Kernel {
   struct Quantity {
     std::string name;
     std::string unit;
+    bool per_depth = false;  ///< a force, say: per metre of depth where the mesh is a plane body's
   };
   virtual std::vector<Quantity> quantities() const { return {}; }
   virtual void evaluate(const CellInput& /*cell*/, double* /*values*/) const {}

@@ -15,8 +15,6 @@ namespace hawser {
 /// What a module is made for, beside its parameters: known before the mesh is read.
 struct ModuleContext {
   int dimension = 2;  ///< of the mesh
-  /// "N" on a mesh of lines alone and in three dimensions; "N/m", per metre of depth, else.
-  const char* force_unit = "N/m";
 };
 
 class ModuleRegistry {

@@ -5,60 +5,13 @@
 #include <vector>
 
 #include "hawser/deck/spec.hpp"
-#include "hawser/mesh/generate.hpp"
-#include "hawser/physics/module_registry.hpp"
+#include "hawser/mesh/mesh_deck.hpp"
 #include "hawser/simulation/verification_deck.hpp"
 #include "hawser/solve/nonlinear_driver.hpp"
 #include "hawser/time/time_deck.hpp"
 #include "hawser/values/track.hpp"
 
 namespace hawser {
-
-struct TowBoxDeck {
-  std::vector<double> min, max, tow_point = {0, 0}, tail;
-  double cable_size = 10, far_size = 500, growth = 0.15, end_size = 0;
-  std::string flow_direction = "-y";
-  int refinements = 0;
-  static Spec<TowBoxDeck> spec();
-  TowBox box() const;
-};
-
-struct WaterBoxDeck {
-  std::vector<double> min, max;
-  double size = 0;
-  std::vector<double> cells = {0, 0};
-  std::string flow_direction = "-y";
-  int refinements = 0;
-  static Spec<WaterBoxDeck> spec();
-  WaterBox box() const;
-};
-
-/// A straight line alone.
-struct LineDeck {
-  std::vector<double> from, to;
-  int segments = 1;
-  static Spec<LineDeck> spec();
-};
-
-struct MeshFileDeck {
-  Located<std::string> name;
-  int dimension = 2;
-  static Spec<MeshFileDeck> spec();
-};
-
-struct MeshDeck {
-  std::vector<std::string> slits;
-  std::optional<TowBoxDeck> tow_box;
-  std::optional<WaterBoxDeck> water_box;
-  std::optional<LineDeck> line;
-  std::optional<MeshFileDeck> file;
-  Location location;
-  static Spec<MeshDeck> spec();
-  /// What modules are told before there is a mesh.
-  ModuleContext context() const;
-  /// Makes the mesh, unless it is a file, at `path`; returns one line about it. Collective.
-  std::string generate(const Communicator& communicator, const std::string& path) const;
-};
 
 /// A named value for use in the rest of the deck; read_deck() has evaluated it already.
 struct ParameterDeck {

@@ -1,20 +1,17 @@
 // From the deck's <mesh> to a mesh.
-#include <algorithm>
-#include <string>
+#include "hawser/mesh/mesh_deck.hpp"
 
-#include "hawser/simulation/deck_parameters.hpp"
+#include <string>
 
 namespace hawser {
 namespace {
-
-void copy(const std::vector<double>& from, double* to) { std::copy(from.begin(), from.end(), to); }
 
 Rules flow_directions() { return one_of({"-y", "+y", "-x", "+x"}); }
 
 }  // namespace
 
-Spec<TowBoxDeck> TowBoxDeck::spec() {
-  using P = TowBoxDeck;
+Spec<TowBox> TowBox::spec() {
+  using P = TowBox;
   return Spec<P>("tow-box", "A box of water with a straight cable in it.")
       .attribute("min", &P::min, "m", required() && any() && length(2), "Lower left corner.")
       .attribute("max", &P::max, "m", required() && any() && length(2), "Upper right corner.")
@@ -32,20 +29,8 @@ Spec<TowBoxDeck> TowBoxDeck::spec() {
                  "How often every triangle of the mesh so described is cut into four.");
 }
 
-TowBox TowBoxDeck::box() const {
-  TowBox box;
-  box.x_min = min[0], box.y_min = min[1], box.x_max = max[0], box.y_max = max[1];
-  copy(tow_point, box.tow_point);
-  copy(tail, box.tail);
-  box.cable_size = cable_size, box.far_size = far_size, box.growth = growth,
-  box.end_size = end_size;
-  box.flow_direction = flow_direction;
-  box.refinements = refinements;
-  return box;
-}
-
-Spec<WaterBoxDeck> WaterBoxDeck::spec() {
-  using P = WaterBoxDeck;
+Spec<WaterBox> WaterBox::spec() {
+  using P = WaterBox;
   return Spec<P>("water-box", "A box of water alone.")
       .attribute("min", &P::min, "m", required() && any() && length(2), "Lower left corner.")
       .attribute("max", &P::max, "m", required() && any() && length(2), "Upper right corner.")
@@ -60,16 +45,6 @@ Spec<WaterBoxDeck> WaterBoxDeck::spec() {
         if ((p.size > 0) == (p.cells[0] > 0 && p.cells[1] > 0))
           diagnostics.error(where, "<water-box> needs either size or cells, and not both");
       });
-}
-
-WaterBox WaterBoxDeck::box() const {
-  WaterBox box;
-  box.x_min = min[0], box.y_min = min[1], box.x_max = max[0], box.y_max = max[1];
-  box.size = size;
-  box.cells[0] = static_cast<int>(cells[0]), box.cells[1] = static_cast<int>(cells[1]);
-  box.flow_direction = flow_direction;
-  box.refinements = refinements;
-  return box;
 }
 
 Spec<MeshFileDeck> MeshFileDeck::spec() {
@@ -99,8 +74,8 @@ Spec<MeshDeck> MeshDeck::spec() {
       });
 }
 
-Spec<LineDeck> LineDeck::spec() {
-  using P = LineDeck;
+Spec<LineMesh> LineMesh::spec() {
+  using P = LineMesh;
   return Spec<P>("line",
                  "A straight cable alone, in the plane or in space: regions cable, tow-point (its "
                  "start), tail (its end) and, with an even number of segments, middle.")
@@ -116,16 +91,15 @@ Spec<LineDeck> LineDeck::spec() {
       });
 }
 
-ModuleContext MeshDeck::context() const {
-  if (line) return {static_cast<int>(line->from.size()), "N"};
-  if (file && file->dimension == 3) return {3, "N"};
-  return {2, "N/m"};
+int MeshDeck::dimension() const {
+  if (line) return static_cast<int>(line->from.size());
+  return file ? file->dimension : 2;
 }
 
 std::string MeshDeck::generate(const Communicator& communicator, const std::string& path) const {
-  if (tow_box) return generate_mesh(communicator, tow_box->box(), path);
-  if (water_box) return generate_mesh(communicator, water_box->box(), path);
-  generate_mesh(communicator, LineMesh{line->from, line->to, line->segments}, path);
+  if (tow_box) return generate_mesh(communicator, *tow_box, path);
+  if (water_box) return generate_mesh(communicator, *water_box, path);
+  generate_mesh(communicator, *line, path);
   return "a line of " + std::to_string(line->segments) + " segments";
 }
 
