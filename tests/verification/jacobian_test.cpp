@@ -211,7 +211,7 @@ std::vector<PhysicsModule> make_modules(const ModuleRegistry& registry, const st
   for (auto snippet = range.first; snippet != range.second; ++snippet) {
     Diagnostics diagnostics;
     const Deck deck = parse_deck(snippet->second, tag, diagnostics);
-    modules.push_back(registry.find(tag)->make(deck.root, {dimension, "N"}, diagnostics));
+    modules.push_back(registry.find(tag)->make(deck.root, {dimension}, diagnostics));
     EXPECT_TRUE(diagnostics.ok()) << diagnostics.error_text();
     EXPECT_FALSE(modules.back().kernels.empty());
   }
