@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "hawser/assembly/block_system.hpp"
+#include "hawser/algebra/block_system.hpp"
 #include "hawser/assembly/governance.hpp"
 
 namespace hawser {

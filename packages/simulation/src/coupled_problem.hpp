@@ -2,7 +2,7 @@
 // All modules, conditions and the time scheme as one nonlinear problem per step.
 #include <vector>
 
-#include "hawser/assembly/nonlinear_problem.hpp"
+#include "hawser/algebra/nonlinear_problem.hpp"
 #include "hawser/base/stopwatch.hpp"
 #include "hawser/time/time_integrator.hpp"
 #include "src/conditions.hpp"

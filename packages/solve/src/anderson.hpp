@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "hawser/assembly/tpetra_fwd.hpp"
+#include "hawser/algebra/tpetra_fwd.hpp"
 
 namespace hawser {
 

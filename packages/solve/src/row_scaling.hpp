@@ -5,7 +5,7 @@
 // iterates whatever the scale of the columns, and MUMPS scales columns itself.
 #include <vector>
 
-#include "hawser/assembly/tpetra_fwd.hpp"
+#include "hawser/algebra/tpetra_fwd.hpp"
 #include "hawser/base/communicator.hpp"
 #include "hawser/base/types.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "hawser/assembly/nonlinear_problem.hpp"
+#include "hawser/algebra/nonlinear_problem.hpp"
 #include "hawser/base/error.hpp"
 
 namespace hawser::test {

@@ -5,7 +5,7 @@
 //   concentration 1e-3 (-lap v + (c + u) dv/dx) = 1e-3 s
 //
 // on the unit square, u = v = 0 beyond the edge, s such that the solution is known at every node.
-#include "hawser/assembly/nonlinear_problem.hpp"
+#include "hawser/algebra/nonlinear_problem.hpp"
 
 namespace hawser::test {
 

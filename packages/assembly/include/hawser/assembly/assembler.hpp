@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hawser/assembly/block_system.hpp"
+#include "hawser/algebra/block_system.hpp"
 #include "hawser/assembly/governance.hpp"
 #include "hawser/fields/state.hpp"
 

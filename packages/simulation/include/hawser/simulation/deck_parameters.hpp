@@ -7,7 +7,7 @@
 #include "hawser/deck/spec.hpp"
 #include "hawser/mesh/mesh_deck.hpp"
 #include "hawser/simulation/verification_deck.hpp"
-#include "hawser/solve/nonlinear_driver.hpp"
+#include "hawser/solve/solver_deck.hpp"
 #include "hawser/time/time_deck.hpp"
 #include "hawser/values/track.hpp"
 
@@ -46,12 +46,6 @@ struct ConditionDeck {
 struct ConditionsDeck {
   std::vector<ConditionDeck> initial, prescribe;
   static Spec<ConditionsDeck> spec();
-};
-
-struct SolverDeck {
-  LinearOptions linear;
-  NonlinearOptions newton;
-  static Spec<SolverDeck> spec();
 };
 
 /// Receivers along the towed cable, as a table over time.

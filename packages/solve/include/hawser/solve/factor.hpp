@@ -3,7 +3,7 @@
 // It outlives the matrix values it was made from, hence also the time step.
 #include <memory>
 
-#include "hawser/assembly/tpetra_fwd.hpp"
+#include "hawser/algebra/tpetra_fwd.hpp"
 #include "hawser/solve/linear_solver.hpp"
 
 namespace hawser {

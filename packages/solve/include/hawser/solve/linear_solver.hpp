@@ -4,7 +4,7 @@
 // here.
 #include <memory>
 
-#include "hawser/assembly/block_system.hpp"
+#include "hawser/algebra/block_system.hpp"
 
 namespace hawser {
 

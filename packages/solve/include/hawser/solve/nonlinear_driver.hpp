@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hawser/assembly/nonlinear_problem.hpp"
+#include "hawser/algebra/nonlinear_problem.hpp"
 #include "hawser/base/types.hpp"
 #include "hawser/solve/linear_solver.hpp"
 

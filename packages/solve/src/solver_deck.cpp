@@ -1,5 +1,4 @@
-// What a deck says of <solver>.
-#include "hawser/simulation/deck_parameters.hpp"
+#include "hawser/solve/solver_deck.hpp"
 
 namespace hawser {
 namespace {

@@ -2,7 +2,7 @@
 // What Newton's method needs of a discretised problem.
 #include <vector>
 
-#include "hawser/assembly/block_system.hpp"
+#include "hawser/algebra/block_system.hpp"
 
 namespace hawser {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "hawser/assembly/tpetra_fwd.hpp"
+#include "hawser/algebra/tpetra_fwd.hpp"
 #include "hawser/base/communicator.hpp"
 #include "hawser/base/types.hpp"
 
