@@ -4,8 +4,8 @@
 
 #include "hawser/algebra/nonlinear_problem.hpp"
 #include "hawser/base/stopwatch.hpp"
+#include "hawser/conditions/conditions.hpp"
 #include "hawser/time/time_integrator.hpp"
-#include "src/conditions.hpp"
 
 namespace hawser {
 

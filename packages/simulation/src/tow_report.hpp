@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "hawser/simulation/deck_parameters.hpp"
+#include "hawser/values/tracks.hpp"
 #include "src/force_report.hpp"
 #include "src/line_geometry.hpp"
-#include "src/sources.hpp"
 
 namespace hawser {
 

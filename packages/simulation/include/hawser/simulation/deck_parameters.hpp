@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/conditions/conditions_deck.hpp"
 #include "hawser/deck/spec.hpp"
 #include "hawser/mesh/mesh_deck.hpp"
 #include "hawser/simulation/verification_deck.hpp"
@@ -27,25 +28,6 @@ struct PluginDeck {
 struct ModulesDeck {
   std::vector<DeckNode> modules;
   static Spec<ModulesDeck> spec();
-};
-
-/// A value on a region: at the start, or prescribed within a window of time.
-struct ConditionDeck {
-  std::string name;
-  Located<std::string> field;
-  Located<std::vector<std::string>> on;
-  Located<std::string> component{"all", {}};
-  // Exactly one of these says where the values come from.
-  std::optional<Located<Expressions>> value;
-  std::optional<Located<std::string>> table, track;
-  std::optional<double> from, until;  ///< s
-  static Spec<ConditionDeck> initial_spec();
-  static Spec<ConditionDeck> prescribe_spec();
-};
-
-struct ConditionsDeck {
-  std::vector<ConditionDeck> initial, prescribe;
-  static Spec<ConditionsDeck> spec();
 };
 
 /// Receivers along the towed cable, as a table over time.

@@ -1,10 +1,11 @@
-#include "src/conditions.hpp"
+#include "hawser/conditions/conditions.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "hawser/fields/look_up.hpp"
 #include "hawser/physics/field_use.hpp"
+#include "src/sources.hpp"
 
 namespace hawser {
 namespace {

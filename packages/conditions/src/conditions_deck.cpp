@@ -1,5 +1,4 @@
-// What a deck says of <conditions>.
-#include "hawser/simulation/deck_parameters.hpp"
+#include "hawser/conditions/conditions_deck.hpp"
 
 namespace hawser {
 namespace {

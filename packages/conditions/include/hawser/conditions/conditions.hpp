@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "hawser/assembly/constraints.hpp"
-#include "hawser/simulation/deck_parameters.hpp"
-#include "src/sources.hpp"
+#include "hawser/conditions/conditions_deck.hpp"
+#include "hawser/values/tracks.hpp"
 
 namespace hawser {
 
