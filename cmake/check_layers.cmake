@@ -6,12 +6,17 @@
 
 set(HAWSER_MODULE_SEES base deck physics)
 
-# Headers that stay where they are: "pattern of the include | folders that may have it".
+# Headers that stay where they are: "pattern of the include | folders, or files, that may have it".
 set(HAWSER_CONFINED_HEADERS
+  "(Tpetra|Teuchos)[_.]|packages/algebra packages/assembly/src packages/solve/src packages/time/src packages/simulation/src/coupled_problem.cpp"
   "(NOX|Thyra|Belos|Ifpack2|MueLu|Stratimikos)[_.A-Z]|packages/solve/src"
   "Sacado|packages/physics packages/modules"
   "Intrepid2|packages/fields/src"
+  "[a-z]mumps|packages/solve/src"
+  "metis|packages/mesh/src"
   "pugixml|packages/deck/src"
+  "muParser|packages/deck/src"
+  "nlohmann/|packages/output/src packages/log/src packages/simulation/src/json_log.cpp packages/study/src apps/hawser"
   "gmsh|apps/mesher"
   "(hdf5|H5[A-Z])[A-Za-z]*public|packages/output/src"
   "hdf5[.]h|packages/output/src")
@@ -76,7 +81,7 @@ function(hawser_check_includes name folder names depends result)
         if(header MATCHES "^(${pattern})")
           set(at_home FALSE)
           foreach(home IN LISTS homes)
-            if(where MATCHES "^${home}/")
+            if(where MATCHES "^${home}(/|$)")
               set(at_home TRUE)
             endif()
           endforeach()

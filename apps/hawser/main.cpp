@@ -1,11 +1,11 @@
 // The program: one verb per thing a user does (verb.hpp).
-#include <Tpetra_Core.hpp>
 #include <mpi.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
+#include "hawser/algebra/environment.hpp"
 #include "hawser/base/error.hpp"
 #include "man_page.hpp"
 #include "verb.hpp"
@@ -50,9 +50,7 @@ int perform(const Alone& action) {
 }
 
 int perform(const OnRanks& action) {
-  int no_arguments = 0;  // ours are not Kokkos'
-  char** none = nullptr;
-  Tpetra::ScopeGuard tpetra(&no_arguments, &none);
+  const Environment environment;
   try {
     const Communicator world(MPI_COMM_WORLD);
     return guarded(world.is_root(), [&] { return action(world); });

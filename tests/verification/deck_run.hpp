@@ -47,10 +47,9 @@ class DeckRun {
   NonlinearReport step(double length) {
     CoupledProblem& problem = *system_->problem;
     problem.begin_step(length);
-    TpetraVector x(problem.system().rows);
-    problem.copy_guess(x);
-    const NonlinearReport report = system_->driver->solve(x);
-    problem.finish_step(x);
+    const auto x = problem.guess();
+    const NonlinearReport report = system_->driver->solve(*x);
+    problem.finish_step(*x);
     problem.accept();
     return report;
   }

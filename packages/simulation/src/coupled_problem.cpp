@@ -42,9 +42,11 @@ void CoupledProblem::prescribe() {
   constraints_.prescribe(std::move(rows));
 }
 
-void CoupledProblem::copy_guess(TpetraVector& x) const {
-  const auto view = x.getDataNonConst();
+Teuchos::RCP<TpetraVector> CoupledProblem::guess() const {
+  const auto x = Teuchos::rcp(new TpetraVector(assembler_.system().rows));
+  const auto view = x->getDataNonConst();
   std::copy(state_.value.begin(), state_.value.begin() + view.size(), view.begin());
+  return x;
 }
 
 void CoupledProblem::set_state(const TpetraVector& x) {

@@ -17,7 +17,8 @@ class CoupledProblem : public NonlinearProblem {
   void start();
   /// Predicts the state and puts the prescribed values in.
   void begin_step(double step);
-  void copy_guess(TpetraVector& x) const;
+  /// The predicted state as the vector of unknowns, for Newton to start from.
+  Teuchos::RCP<TpetraVector> guess() const;
   /// Makes x the state and evaluates the balances there, so that reactions() belongs to it.
   void finish_step(const TpetraVector& x);
   void accept() { integrator_.accept(state_); }

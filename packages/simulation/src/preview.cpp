@@ -1,6 +1,5 @@
 #include "src/preview.hpp"
 
-#include <Tpetra_CrsMatrix.hpp>
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -83,8 +82,7 @@ std::string preview(System& system, const RunDeck& deck, double length) {
   const double courant = inspect_mesh(*system.dofs, system.problem->state()).courant;
   const double nodes = static_cast<double>(system.mesh.vertices.global_count);
   const double rows = static_cast<double>(system.dofs->global_count());
-  const double entries =
-      static_cast<double>(system.problem->system().matrix->getGlobalNumEntries());
+  const double entries = system.problem->system().entries();
   const double factor = factor_bytes(deck.solver.linear, entries, rows, nodes);
   const double vectors = sizeof(double) * rows * deck.solver.linear.restart;
   const double now = communicator.sum(resident());

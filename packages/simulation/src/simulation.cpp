@@ -1,7 +1,5 @@
 #include "hawser/simulation/simulation.hpp"
 
-#include <Tpetra_Vector.hpp>
-
 #include <filesystem>
 
 #include "hawser/base/error.hpp"
@@ -92,10 +90,9 @@ struct Simulation::Implementation {
     const auto lap = newton_watch.lap();
     CoupledProblem& problem = *system->problem;
     problem.begin_step(length);
-    TpetraVector x(problem.system().rows);
-    problem.copy_guess(x);
-    const NonlinearReport report = system->driver->solve(x);
-    problem.finish_step(x);
+    const auto x = problem.guess();
+    const NonlinearReport report = system->driver->solve(*x);
+    problem.finish_step(*x);
     StepFigures result;
     result.newton_iterations = report.iterations;
     result.local_error = system->integrator->local_error(problem.state());

@@ -23,6 +23,8 @@ struct BlockSystem {
   Teuchos::RCP<const TpetraMap> columns;  ///< owned, then ghost unknowns
   Teuchos::RCP<TpetraMatrix> matrix;  ///< fill-complete, fixed graph; values rewritten per Jacobian
   std::vector<Block> blocks;          ///< disjoint, together all owned rows
+
+  double entries() const;  ///< of the matrix, on all ranks
 };
 
 }  // namespace hawser
