@@ -4,14 +4,14 @@
 # The check is of the text of the sources, so an #include edited later is seen at the next
 # configuration; the test `layers` runs the same check at every ctest.
 
-set(HAWSER_MODULE_SEES base deck physics)
+set(HAWSER_MODULE_SEES base deck element physics)
 
 # Headers that stay where they are: "pattern of the include | folders, or files, that may have it".
 set(HAWSER_CONFINED_HEADERS
   "(Tpetra|Teuchos)[_.]|packages/algebra packages/assembly/src packages/solve/src packages/time/src packages/simulation/src/coupled_problem.cpp"
   "(NOX|Thyra|Belos|Ifpack2|MueLu|Stratimikos)[_.A-Z]|packages/solve/src"
   "Sacado|packages/physics packages/modules"
-  "Intrepid2|packages/fields/src"
+  "Intrepid2|packages/element/src"
   "[a-z]mumps|packages/solve/src"
   "metis|packages/mesh/src"
   "pugixml|packages/deck/src"

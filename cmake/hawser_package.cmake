@@ -12,7 +12,7 @@
 #
 #   hawser_module(NAME ale_fluid SOURCES ale_fluid.cpp KERNELS kernel.cpp)
 #
-# the same for packages/modules/*: layer 5, sees base, deck and physics. All its sources count as kernels.
+# the same for packages/modules/*: layer 5, sees base, deck, element and physics. All its sources count as kernels.
 # Its include folder is include/ where there is one, else the module's own folder.
 #
 #   hawser_program(NAME hawser SOURCES main.cpp DEPENDS simulation ale_fluid LIBRARIES CLI11::CLI11)
@@ -72,7 +72,7 @@ endfunction()
 function(hawser_module)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;KERNELS;LIBRARIES;PRIVATE_LIBRARIES")
   hawser_package(NAME ${arg_NAME} LAYER 5 KERNELS ${arg_SOURCES} ${arg_KERNELS}
-    DEPENDS base deck physics LIBRARIES ${arg_LIBRARIES} PRIVATE_LIBRARIES ${arg_PRIVATE_LIBRARIES}
+    DEPENDS base deck element physics LIBRARIES ${arg_LIBRARIES} PRIVATE_LIBRARIES ${arg_PRIVATE_LIBRARIES}
     ${arg_UNPARSED_ARGUMENTS})
 endfunction()
 

@@ -3,7 +3,8 @@
 #   hawser_test(NAME mesh_partition SOURCES partition_test.cpp
 #     RANKS 1 2 3                     # default 1; the tests are called mesh_partition.np1, .np2, .np3
 #     LIBRARIES hawser::mesh          # hawser:: packages and anything else
-#     LABELS slow                     # `slow` keeps it out of `quickstart test`
+#     LABELS slow                     # `slow` keeps it out of `quickstart test`; the tests in
+#                                     # packages/*/tests are labelled `unit` unless they say otherwise
 #     TPETRA                          # start and stop Kokkos too; needed by whoever uses Tpetra
 #     TIMEOUT 300)                    # s
 #
@@ -44,6 +45,9 @@ function(hawser_test)
     return()
   endif()
   cmake_parse_arguments(PARSE_ARGV 0 arg "TPETRA" "NAME;TIMEOUT" "SOURCES;RANKS;LIBRARIES;LABELS")
+  if(NOT arg_LABELS AND CMAKE_CURRENT_SOURCE_DIR MATCHES "/packages/")
+    set(arg_LABELS unit)
+  endif()
   set(target ${arg_NAME}_test)
   add_executable(${target} ${arg_SOURCES})
   set_target_properties(${target} PROPERTIES

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "fluid_kernel.hpp"
-#include "hawser/fields/tabulate.hpp"
 
 namespace hawser {
 namespace {
@@ -24,7 +23,8 @@ struct Triangle {
   CellInput cell;
 
   Triangle() {
-    kernel.bind(std::vector<Tabulation>(3, tabulate(CellShape::triangle, Basis::p1, 2)));
+    kernel.bind(
+        tabulate_cell({Basis::p1, Basis::p1, Basis::p1}, quadrature(CellShape::triangle, 2)));
     for (const auto* values : {&velocity, &pressure, &displacement})
       fields.push_back({values->data(), zero.data(), zero.data(), slope.data(), zero.data()});
     cell.step = 20;

@@ -9,8 +9,8 @@
 #include "ale_fluid.hpp"
 #include "cable.hpp"
 #include "figure.hpp"
-#include "hawser/fields/tabulate.hpp"
 #include "hawser/mesh/generate.hpp"
+#include "hawser/mesh/mesh.hpp"
 #include "hawser/physics/plugin_loader.hpp"
 #include "mesh_motion.hpp"
 
@@ -79,16 +79,17 @@ class SampleCell {
  public:
   SampleCell(Kernel& kernel, const Mesh& mesh, unsigned seed) : kernel_(kernel), random_(seed) {
     const Region& region = mesh.region(kernel.region());
-    std::vector<Tabulation> shapes;
+    std::vector<Basis> bases;
     first_.push_back(0);
     for (const FieldUse& use : kernel.fields()) {
       const bool quadratic = use.basis == Basis::p2;
-      if (region.shape == CellShape::triangle)
-        shapes.push_back(tabulate(region.shape, use.basis, 2));
+      bases.push_back(use.basis);
       first_.push_back(first_.back() + use.components * (region.vertices_per_cell +
                                                          (quadratic ? region.edges_per_cell : 0)));
     }
-    kernel.bind(shapes);
+    kernel.bind(region.shape == CellShape::triangle
+                    ? tabulate_cell(bases, quadrature(region.shape, 2))
+                    : CellTabulation());
 
     const auto cell = static_cast<int>(seed) % region.size();
     for (int v = 0; v < region.vertices_per_cell; ++v)

@@ -9,7 +9,7 @@
 #include "figure.hpp"
 #include "hawser/assembly/constraints.hpp"
 #include "hawser/assembly/field_table.hpp"
-#include "hawser/fields/tabulate.hpp"
+#include "hawser/element/tabulation.hpp"
 #include "hawser/mesh/generate.hpp"
 #include "hawser/physics/point_kernel.hpp"
 #include "hawser/solve/linear_solver.hpp"
@@ -104,8 +104,8 @@ void solve(Assembler& assembler, State& state) {
 std::array<double, 2> errors(const DofMap& dofs, const State& state) {
   const Mesh& mesh = dofs.mesh();
   const Region& water = mesh.region("water");
-  const Tabulation shapes[2] = {tabulate(CellShape::triangle, Basis::p2, 8),
-                                tabulate(CellShape::triangle, Basis::p1, 8)};
+  const Quadrature rule = quadrature(CellShape::triangle, 8);
+  const Tabulation shapes[2] = {tabulate(Basis::p2, rule), tabulate(Basis::p1, rule)};
   const int field[2] = {dofs.find("velocity"), dofs.find("pressure")};
   double sum[2] = {0, 0};
   for (LocalIndex cell = 0; cell < water.size(); ++cell) {
@@ -120,8 +120,8 @@ std::array<double, 2> errors(const DofMap& dofs, const State& state) {
       const Tabulation& shape = shapes[f];
       std::vector<LocalIndex> rows;
       dofs.append_cell_rows(field[f], water, cell, rows);
-      for (int q = 0; q < shape.points; ++q) {
-        const double* const xi = &shape.locations[static_cast<std::size_t>(2 * q)];
+      for (int q = 0; q < rule.points; ++q) {
+        const double* const xi = &rule.locations[static_cast<std::size_t>(2 * q)];
         double x[2];
         for (int j = 0; j < 2; ++j)
           x[j] = X[0][j] + xi[0] * (X[1][j] - X[0][j]) + xi[1] * (X[2][j] - X[0][j]);
@@ -131,7 +131,7 @@ std::array<double, 2> errors(const DofMap& dofs, const State& state) {
           for (int a = 0; a < shape.nodes; ++a)
             error += shape.values[static_cast<std::size_t>(q * shape.nodes + a)] *
                      state.value[static_cast<std::size_t>(rows[static_cast<std::size_t>(a)] + c)];
-          sum[f] += shape.weights[static_cast<std::size_t>(q)] * twice_area * error * error;
+          sum[f] += rule.weights[static_cast<std::size_t>(q)] * twice_area * error * error;
         }
       }
     }

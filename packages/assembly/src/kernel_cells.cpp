@@ -4,33 +4,26 @@
 #include <stdexcept>
 #include <string>
 
-#include "hawser/fields/tabulate.hpp"
+#include "hawser/element/quadrature_degree.hpp"
 
 namespace hawser {
 namespace {
 
-/// Exact for the mass matrix of linear shapes; a kernel that sees gradients of linear shapes only
-/// is constant on a cell.
-int quadrature_degree(const Kernel& kernel) {
-  int degree = 0;
-  for (const FieldUse& use : kernel.fields()) {
-    if ((use.needs & (need::value | need::rate)) != 0) degree = std::max(degree, 2);
-    if (use.basis == Basis::p2) degree = 5;
-  }
-  return degree;
-}
-
 void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& cells,
                  Kernel& kernel) {
-  std::vector<Tabulation> shapes;
-  if (region.shape == CellShape::triangle)
-    for (std::size_t f = 0; f < cells.fields.size(); ++f) {
-      const int field = cells.fields[f];
-      const Basis basis = field < 0 ? kernel.fields()[f].basis
-                                    : dofs.fields()[static_cast<std::size_t>(field)].basis;
-      shapes.push_back(tabulate(region.shape, basis, quadrature_degree(kernel)));
-    }
-  kernel.bind(shapes);
+  if (region.shape != CellShape::triangle) return kernel.bind({});
+  std::vector<Basis> bases;
+  std::vector<FieldInForm> form;
+  for (std::size_t f = 0; f < cells.fields.size(); ++f) {
+    const int field = cells.fields[f];
+    const FieldUse& use = kernel.fields()[f];
+    bases.push_back(field < 0 ? use.basis : dofs.fields()[static_cast<std::size_t>(field)].basis);
+    form.push_back({bases.back(), (use.needs & (need::value | need::rate)) != 0,
+                    (use.needs & (need::gradient | need::accepted)) != 0,
+                    use.role == Role::adds || use.role == Role::governs});
+  }
+  kernel.bind(
+      tabulate_cell(bases, quadrature(region.shape, quadrature_degree(region.shape, form))));
 }
 
 }  // namespace

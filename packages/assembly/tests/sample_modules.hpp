@@ -20,7 +20,7 @@ class LoadKernel : public Kernel {
   }
   int dimension() const override { return 2; }
   int vertices_per_cell() const override { return nodes_; }
-  void bind(const std::vector<Tabulation>& /*shapes*/) override {}
+  void bind(const CellTabulation& /*table*/) override {}
   CellStatus residual(const CellInput& /*cell*/, double* residual) const override {
     std::fill(residual, residual + unknowns_, load_);
     return CellStatus::ok;

@@ -7,7 +7,6 @@
 #include <map>
 #include <numeric>
 
-#include "hawser/fields/tabulate.hpp"
 #include "mesh/tests/mesh_text.hpp"
 
 namespace hawser {
@@ -111,42 +110,6 @@ TEST(DofMap, ASplitFieldHasARowOnEachSideOfALine) {
   EXPECT_EQ(owned_on_cable("pressure"), 5 + 3);
   EXPECT_EQ(owned_on_cable("velocity"), 5 + 4);
   EXPECT_EQ(owned_on_cable("tension"), 5);
-}
-
-class Tabulated : public testing::TestWithParam<std::tuple<CellShape, Basis>> {};
-INSTANTIATE_TEST_SUITE_P(Shapes, Tabulated,
-                         testing::Values(std::make_tuple(CellShape::line, Basis::p1),
-                                         std::make_tuple(CellShape::triangle, Basis::p1),
-                                         std::make_tuple(CellShape::triangle, Basis::p2)));
-
-TEST_P(Tabulated, ShapesSumToOneAndWeightsToTheCell) {
-  const auto [shape, basis] = GetParam();
-  const Tabulation table = tabulate(shape, basis, 4);
-  const double measure = shape == CellShape::line ? 1 : 0.5;
-  EXPECT_NEAR(std::accumulate(table.weights.begin(), table.weights.end(), 0.0), measure, 1e-14);
-  for (int q = 0; q < table.points; ++q) {
-    double sum = 0;
-    std::vector<double> slope(static_cast<std::size_t>(table.dimension), 0);
-    for (int a = 0; a < table.nodes; ++a) {
-      const auto n = static_cast<std::size_t>(q * table.nodes + a);
-      sum += table.values[n];
-      for (std::size_t k = 0; k < slope.size(); ++k)
-        slope[k] += table.gradients[n * slope.size() + k];
-    }
-    EXPECT_NEAR(sum, 1, 1e-14);
-    for (const double s : slope)
-      EXPECT_NEAR(s, 0, 1e-14);
-  }
-}
-
-TEST(Tabulation, IntegratesPolynomialsOfItsDegreeExactly) {
-  const Tabulation table = tabulate(CellShape::triangle, Basis::p2, 5);
-  double integral = 0;  // of x^3 y^2: 3! 2! / 7!
-  for (std::size_t q = 0; q < table.weights.size(); ++q) {
-    const double x = table.locations[2 * q], y = table.locations[2 * q + 1];
-    integral += table.weights[q] * x * x * x * y * y;
-  }
-  EXPECT_NEAR(integral, 12.0 / 5040, 1e-15);
 }
 
 }  // namespace

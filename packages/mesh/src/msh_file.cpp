@@ -214,7 +214,7 @@ class MshReader {
                "; only points, lines and triangles of first order "
                "are read");
     }
-    const int dimension = *shape == CellShape::triangle ? 2 : *shape == CellShape::line ? 1 : 0;
+    const int dimension = traits(*shape).dimension;
     MshElement element{tag, in_.line(), *shape, 0, {}};
     for (int k = 0; k <= dimension; ++k) {
       element.nodes[static_cast<std::size_t>(k)] = in_.integer("a node of " + name);

@@ -25,8 +25,10 @@ void number_edges(Mesh& mesh) {
       const int n = region.vertices_per_cell;
       for (LocalIndex c = 0; c < region.size(); ++c) {
         const auto* v = &region.vertices[at(n * c)];
-        for (int k = 0; k < region.edges_per_cell; ++k)
-          visit(region, sorted(v[k], v[(k + 1) % n]));
+        for (int k = 0; k < region.edges_per_cell; ++k) {
+          const auto& ends = traits(region.shape).edge[k];
+          visit(region, sorted(v[ends[0]], v[ends[1]]));
+        }
       }
     }
   };

@@ -64,7 +64,7 @@ class Numbering {
   void find_used_nodes() {
     vertex_of_node_.assign(nodes_.size(), -1);
     for (const auto& element : file_.elements) {
-      const int n = make_region("", element.shape).vertices_per_cell;
+      const int n = traits(element.shape).vertices;
       for (int k = 0; k < n; ++k) {
         vertex_of_node_[place(element, element.nodes[static_cast<std::size_t>(k)])] = 0;
       }
@@ -171,28 +171,9 @@ Region make_region(const std::string& name, CellShape shape) {
   Region region;
   region.name = name;
   region.shape = shape;
-  switch (shape) {
-    case CellShape::point: break;
-    case CellShape::line:
-      region.dimension = 1;
-      region.vertices_per_cell = 2;
-      region.edges_per_cell = 1;
-      break;
-    case CellShape::triangle:
-      region.dimension = 2;
-      region.vertices_per_cell = 3;
-      region.edges_per_cell = 3;
-      break;
-    case CellShape::patch:
-      region.dimension = 1;
-      region.vertices_per_cell = 3;
-      break;
-    case CellShape::facet:
-      region.dimension = 1;
-      region.vertices_per_cell = 3;
-      region.edges_per_cell = 3;
-      break;
-  }
+  region.dimension = traits(shape).dimension;
+  region.vertices_per_cell = traits(shape).vertices;
+  region.edges_per_cell = traits(shape).edges;
   return region;
 }
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "hawser/base/tensor.hpp"
 #include "hawser/physics/element_kernel.hpp"
-#include "hawser/physics/tensor.hpp"
 
 namespace hawser {
 

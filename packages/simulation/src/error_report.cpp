@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/element/cell_geometry.hpp"
 #include "hawser/fields/look_up.hpp"
-#include "hawser/fields/tabulate.hpp"
 #include "hawser/physics/field_use.hpp"
 
 namespace hawser {
@@ -13,18 +13,6 @@ namespace {
 // An error that is a polynomial of degree 4 on a cell is squared exactly: the quadrature's own
 // error is far below the one that is measured.
 constexpr int degree = 8;
-
-/// Length of a line, area of a triangle times two: the scale of weights on the unit simplex.
-double scale(const double (&corner)[3][3], int corners) {
-  double a[3], b[3];
-  for (int j = 0; j < 3; ++j) {
-    a[j] = corner[1][j] - corner[0][j];
-    b[j] = corner[2][j] - corner[0][j];
-  }
-  if (corners == 2) return std::hypot(a[0], a[1], a[2]);
-  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                    a[0] * b[1] - a[1] * b[0]);
-}
 
 }  // namespace
 
@@ -54,17 +42,17 @@ ErrorReport::ErrorReport(const DofMap& dofs, const ErrorDeck& deck, Diagnostics&
 std::vector<ErrorReport::Sample> ErrorReport::sample(const State& state) const {
   const Mesh& mesh = dofs_.mesh();
   const Region& region = *region_;
-  const int corners = region.vertices_per_cell;
+  const int corners = traits(region.shape).vertices;
   const int moved = dofs_.find(field_name::displacement);
-  const Tabulation field =
-      tabulate(region.shape, dofs_.fields()[static_cast<std::size_t>(field_)].basis, degree);
-  const Tabulation geometry = tabulate(region.shape, Basis::p1, degree);
+  const Quadrature rule = quadrature(region.shape, degree);
+  const Tabulation field = tabulate(dofs_.fields()[static_cast<std::size_t>(field_)].basis, rule);
+  const Tabulation geometry = tabulate(Basis::p1, rule);
 
   std::vector<Sample> samples;
   std::vector<LocalIndex> rows;
   for (LocalIndex cell = 0; cell < region.size(); ++cell) {
     if (region.cell_owners[static_cast<std::size_t>(cell)] != mesh.communicator.rank()) continue;
-    double X[3][3] = {}, x[3][3] = {};
+    double X[8][3] = {}, x[8][3] = {};
     for (int k = 0; k < corners; ++k) {
       const LocalIndex vertex = region.vertices[static_cast<std::size_t>(cell * corners + k)];
       const LocalIndex first = moved < 0 ? -1 : dofs_.first_row(moved, PointKind::vertex, vertex);
@@ -75,7 +63,7 @@ std::vector<ErrorReport::Sample> ErrorReport::sample(const State& state) const {
     }
     rows.clear();
     dofs_.append_cell_rows(field_, region, cell, rows);
-    for (int q = 0; q < field.points; ++q) {
+    for (int q = 0; q < rule.points; ++q) {
       const auto shape = [&](const Tabulation& table, std::size_t a) {
         return table.values[static_cast<std::size_t>(q * table.nodes) + a];
       };
@@ -87,7 +75,8 @@ std::vector<ErrorReport::Sample> ErrorReport::sample(const State& state) const {
         }
       const SpaceTime at{place[1][0], place[1][1], place[1][2], place[0][0],
                          place[0][1], place[0][2], state.time};
-      Sample result{field.weights[static_cast<std::size_t>(q)] * scale(x, corners), {}};
+      Sample result{rule.weights[static_cast<std::size_t>(q)] * stretch_at(q, rule, geometry, x[0]),
+                    {}};
       for (std::size_t c = 0; c < components_; ++c) {
         result.error[c] = -deck_.exact.value[c](at);
         for (std::size_t a = 0; a < rows.size(); ++a)

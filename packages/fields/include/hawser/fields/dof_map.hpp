@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hawser/base/basis.hpp"
+#include "hawser/element/basis.hpp"
 #include "hawser/mesh/mesh.hpp"
 
 namespace hawser {

@@ -10,17 +10,10 @@
 
 #include "hawser/base/communicator.hpp"
 #include "hawser/base/types.hpp"
+#include "hawser/element/cell_shape.hpp"
 #include "hawser/mesh/triangle_quality.hpp"
 
 namespace hawser {
-
-enum class CellShape {
-  point,     ///< one vertex
-  line,      ///< two vertices
-  triangle,  ///< three vertices, counter-clockwise
-  patch,     ///< three consecutive vertices a, b, c of a line region (b in the middle)
-  facet      ///< a triangle turned so that its edge 0 -> 1 is a boundary line, body on the left
-};
 
 /// Points of one kind (vertices, split vertices or edges) that this rank knows: owned ones first.
 struct PointSet {
@@ -36,8 +29,7 @@ struct Region {
   int dimension = 0;
   CellShape shape = CellShape::point;
   int vertices_per_cell = 1;
-  int edges_per_cell = 0;  ///< 3 for a triangle or facet: edge k joins vertices k and k+1 (mod 3);
-                           ///< 1 for a line
+  int edges_per_cell = 0;             ///< which vertices each joins, the shape's traits say
   std::vector<GlobalIndex> cell_ids;  ///< ascending; rank-independent, in [0, cells of the region)
   std::vector<int> cell_owners;       ///< the rank that counts this cell in sums over cells
   std::vector<LocalIndex> vertices;   ///< [cell][vertices_per_cell]

@@ -24,7 +24,7 @@ class ElementKernel : public Kernel {
   int dimension() const override { return Derived::dimension; }
   int vertices_per_cell() const override { return Derived::nodes; }
 
-  void bind(const std::vector<Tabulation>& /*shapes*/) override { partner_ = rate_partner(); }
+  void bind(const CellTabulation& /*table*/) override { partner_ = rate_partner(); }
 
   CellStatus residual(const CellInput& cell, double* residual) const override {
     Element<double> at(cell);

@@ -1,7 +1,7 @@
 #pragma once
 // What a module declares about the fields it touches. Block structure, sparsity and the
 // off-diagonal Jacobian blocks follow from these declarations.
-#include "hawser/base/basis.hpp"
+#include "hawser/element/basis.hpp"
 
 namespace hawser {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hawser/deck/location.hpp"
+#include "hawser/element/tabulation.hpp"
 #include "hawser/physics/field_use.hpp"
 
 namespace hawser {
@@ -52,8 +53,9 @@ class Kernel {
   /// used.
   int rate_partner() const;
 
-  /// Called once, with the tabulated shapes of every field, before the first residual.
-  virtual void bind(const std::vector<Tabulation>& shapes) = 0;
+  /// Called once, before the first residual, with the shape functions of every field and of the
+  /// cells' geometry; on a line, a point, a patch or a facet there are none.
+  virtual void bind(const CellTabulation& table) = 0;
 
   /// residual[n]; n is the number of the cell's unknowns. Overwrites.
   virtual CellStatus residual(const CellInput& cell, double* residual) const = 0;

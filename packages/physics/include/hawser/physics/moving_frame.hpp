@@ -1,6 +1,6 @@
 #pragma once
 // From the reference mesh to the moved one: x = X + d, F = I + grad d, J = det F.
-#include "hawser/physics/tensor.hpp"
+#include "hawser/base/tensor.hpp"
 
 namespace hawser {
 

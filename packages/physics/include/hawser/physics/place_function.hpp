@@ -4,8 +4,8 @@
 
 #include <type_traits>
 
+#include "hawser/base/tensor.hpp"
 #include "hawser/deck/expression.hpp"
-#include "hawser/physics/tensor.hpp"
 
 namespace hawser {
 

@@ -13,8 +13,8 @@
 #include <tuple>
 #include <utility>
 
+#include "hawser/element/cell_geometry.hpp"
 #include "hawser/physics/kernel.hpp"
-#include "hawser/physics/tensor.hpp"
 
 namespace hawser {
 
@@ -68,8 +68,8 @@ class PointKernel : public Kernel {
   int dimension() const override { return Derived::dimension; }
   int vertices_per_cell() const override { return Derived::dimension + 1; }
 
-  void bind(const std::vector<Tabulation>& shapes) override {
-    shapes_ = shapes;
+  void bind(const CellTabulation& table) override {
+    table_ = table;
     partner_ = rate_partner();
   }
 
@@ -99,15 +99,12 @@ class PointKernel : public Kernel {
   template <class T, class Index>
   struct PointOf;
   template <class T, std::size_t... I>
-  struct PointOf<T, std::index_sequence<I...>> {
+  struct PointOf<T, std::index_sequence<I...>> : CellGeometry<Derived::dimension> {
     using Number = T;
     static constexpr int dimension = Derived::dimension;
     std::tuple<FieldAtPoint<T, Derived::uses[I].components, Derived::dimension>...> fields;
     double time = 0;
     double step = 0;
-    Vector<double, Derived::dimension> position;  ///< reference coordinates, m
-    Tensor<double, Derived::dimension>
-        inverse_jacobian;  ///< (k, j) = d xi_k / d X_j of the cell, 1/m
     template <int S>
     const auto& operator[](Slot<S>) const {
       return std::get<S>(fields);
@@ -129,7 +126,7 @@ class PointKernel : public Kernel {
   CellStatus evaluate(const CellInput& cell, unsigned columns, double* residual,
                       double* tangent) const;
 
-  std::vector<Tabulation> shapes_;  // per field
+  CellTabulation table_;
   int partner_ = -1;
 };
 

@@ -35,21 +35,6 @@ struct Number<double> {
   static double value(double x) { return x; }
 };
 
-/// Inverse of the affine map's Jacobian, (k, j) = d xi_k / d X_j, and the Jacobian's determinant.
-template <int D>
-double invert_affine(const double* coordinates, Tensor<double, D>& inverse) {
-  Tensor<double, D> jacobian;  // (j, k) = d X_j / d xi_k
-  for (int j = 0; j < D; ++j)
-    for (int k = 0; k < D; ++k)
-      jacobian(j, k) = coordinates[(k + 1) * D + j] - coordinates[j];
-  const double det = determinant(jacobian);
-  inverse = adjugate(jacobian);
-  for (int k = 0; k < D; ++k)
-    for (int j = 0; j < D; ++j)
-      inverse(k, j) /= det;
-  return det;
-}
-
 template <std::size_t... I, class F>
 void for_each_index(std::index_sequence<I...> /*indices*/, F&& f) {
   (f(std::integral_constant<std::size_t, I>()), ...);
@@ -68,7 +53,7 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
 
   std::array<int, field_count + 1> offset{};  // first unknown of each field
   for (std::size_t f = 0; f < field_count; ++f)
-    offset[f + 1] = offset[f] + shapes_[f].nodes * Derived::uses[f].components;
+    offset[f + 1] = offset[f] + table_.fields[f].nodes * Derived::uses[f].components;
   const int n = offset[field_count];
   std::fill(residual, residual + n, 0.0);
   if (tangent != nullptr) std::fill(tangent, tangent + n * n, 0.0);
@@ -76,27 +61,22 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
   PointOf<T, Indices> at;
   at.time = cell.time;
   at.step = cell.step;
-  const double det = detail::invert_affine<D>(cell.coordinates, at.inverse_jacobian);
+  at.enter(table_, cell.coordinates);
   const int partner = tangent != nullptr ? partner_ : -1;
 
-  const Tabulation& rule = shapes_[0];
+  const Quadrature& rule = table_.rule;
   double gradients[field_count][detail::max_nodes][D];
   for (int q = 0; q < rule.points; ++q) {
-    const double weight = rule.weights[q] * det;
+    at.go_to(q, table_, cell.coordinates);
+    const double weight = rule.weights[q] * at.determinant;
     int direction = 0;
-    for (int j = 0; j < D; ++j)
-      at.position[j] = cell.coordinates[j];
-    for (int v = 1; v <= D; ++v)
-      for (int j = 0; j < D; ++j)
-        at.position[j] +=
-            rule.locations[q * D + v - 1] * (cell.coordinates[v * D + j] - cell.coordinates[j]);
 
     // Values, rates and gradients of every field at this point, each an independent variable.
     detail::for_each_index(Indices{}, [&](auto index) {
       constexpr std::size_t f = index;
       constexpr int components = Derived::uses[f].components;
       constexpr unsigned needs = Derived::uses[f].needs;
-      const Tabulation& shape = shapes_[f];
+      const Tabulation& shape = table_.fields[f];
       const double* const N = &shape.values[q * shape.nodes];
       const double* const local = &shape.gradients[q * shape.nodes * D];
       for (int a = 0; a < shape.nodes; ++a)
@@ -154,9 +134,9 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
           constexpr int width = directions(Derived::uses[f]) / components;
           constexpr int rate_at = (needs & need::value) != 0 ? 1 : 0;
           constexpr int gradient_at = rate_at + ((needs & need::rate) != 0 ? 1 : 0);
-          const double* const N = &shapes_[f].values[q * shapes_[f].nodes];
+          const double* const N = &table_.fields[f].values[q * table_.fields[f].nodes];
           const bool active = (columns >> f & 1U) != 0;
-          for (int a = 0; a < shapes_[f].nodes; ++a)
+          for (int a = 0; a < table_.fields[f].nodes; ++a)
             for (int c = 0; c < components; ++c) {
               const double* const d = derivative + first + c * width;
               const int node = a * components + c;
@@ -183,8 +163,8 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
       constexpr int components = Derived::uses[f].components;
       constexpr Role role = Derived::uses[f].role;
       if constexpr (role == Role::adds || role == Role::governs) {
-        const double* const N = &shapes_[f].values[q * shapes_[f].nodes];
-        const int nodes = shapes_[f].nodes;
+        const double* const N = &table_.fields[f].values[q * table_.fields[f].nodes];
+        const int nodes = table_.fields[f].nodes;
         double line[detail::max_unknowns];
         auto& form = std::get<f>(out.fields);
         const auto scatter = [&](const T& output, int c, auto&& test) {

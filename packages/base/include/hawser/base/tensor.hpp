@@ -5,6 +5,28 @@
 
 namespace hawser {
 
+/// The number type of a product: that of the factor which carries derivatives.
+template <class A, class B>
+struct Promoted;
+template <class T>
+struct Promoted<T, T> {
+  using Type = T;
+};
+template <class T>
+struct Promoted<T, double> {
+  using Type = T;
+};
+template <class T>
+struct Promoted<double, T> {
+  using Type = T;
+};
+template <>
+struct Promoted<double, double> {
+  using Type = double;
+};
+template <class A, class B>
+using Product = typename Promoted<A, B>::Type;
+
 template <class T, int D>
 struct Vector {
   T component[D] = {};
@@ -21,17 +43,17 @@ struct Tensor {
 };
 
 template <class A, class B, int D>
-A dot(const Vector<A, D>& a, const Vector<B, D>& b) {
-  A sum = a[0] * b[0];
+Product<A, B> dot(const Vector<A, D>& a, const Vector<B, D>& b) {
+  Product<A, B> sum = a[0] * b[0];
   for (int i = 1; i < D; ++i)
     sum += a[i] * b[i];
   return sum;
 }
 
-/// A_ik B_kj. The result takes the number type of A.
+/// A_ik B_kj.
 template <class A, class B, int D>
-Tensor<A, D> multiply(const Tensor<A, D>& a, const Tensor<B, D>& b) {
-  Tensor<A, D> result;
+Tensor<Product<A, B>, D> multiply(const Tensor<A, D>& a, const Tensor<B, D>& b) {
+  Tensor<Product<A, B>, D> result;
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) {
       result(i, j) = a(i, 0) * b(0, j);
@@ -41,10 +63,10 @@ Tensor<A, D> multiply(const Tensor<A, D>& a, const Tensor<B, D>& b) {
   return result;
 }
 
-/// A_ij b_j. The result takes the number type of b.
+/// A_ij b_j.
 template <class A, class B, int D>
-Vector<B, D> multiply(const Tensor<A, D>& a, const Vector<B, D>& b) {
-  Vector<B, D> result;
+Vector<Product<A, B>, D> multiply(const Tensor<A, D>& a, const Vector<B, D>& b) {
+  Vector<Product<A, B>, D> result;
   for (int i = 0; i < D; ++i) {
     result[i] = a(i, 0) * b[0];
     for (int j = 1; j < D; ++j)
@@ -55,8 +77,8 @@ Vector<B, D> multiply(const Tensor<A, D>& a, const Vector<B, D>& b) {
 
 /// a_i B_ij.
 template <class A, class B, int D>
-Vector<A, D> multiply(const Vector<A, D>& a, const Tensor<B, D>& b) {
-  Vector<A, D> result;
+Vector<Product<A, B>, D> multiply(const Vector<A, D>& a, const Tensor<B, D>& b) {
+  Vector<Product<A, B>, D> result;
   for (int j = 0; j < D; ++j) {
     result[j] = a[0] * b(0, j);
     for (int i = 1; i < D; ++i)
