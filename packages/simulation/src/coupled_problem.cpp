@@ -42,8 +42,8 @@ void CoupledProblem::prescribe() {
   constraints_.prescribe(std::move(rows));
 }
 
-Teuchos::RCP<TpetraVector> CoupledProblem::guess() const {
-  const auto x = Teuchos::rcp(new TpetraVector(assembler_.system().rows));
+std::shared_ptr<TpetraVector> CoupledProblem::guess() const {
+  auto x = std::make_shared<TpetraVector>(assembler_.system().rows);
   const auto view = x->getDataNonConst();
   std::copy(state_.value.begin(), state_.value.begin() + view.size(), view.begin());
   return x;

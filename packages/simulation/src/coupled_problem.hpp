@@ -1,5 +1,6 @@
 #pragma once
 // All modules, conditions and the time scheme as one nonlinear problem per step.
+#include <memory>
 #include <vector>
 
 #include "hawser/algebra/nonlinear_problem.hpp"
@@ -18,7 +19,7 @@ class CoupledProblem : public NonlinearProblem {
   /// Predicts the state and puts the prescribed values in.
   void begin_step(double step);
   /// The predicted state as the vector of unknowns, for Newton to start from.
-  Teuchos::RCP<TpetraVector> guess() const;
+  std::shared_ptr<TpetraVector> guess() const;
   /// Makes x the state and evaluates the balances there, so that reactions() belongs to it.
   void finish_step(const TpetraVector& x);
   void accept() { integrator_.accept(state_); }
