@@ -56,7 +56,7 @@ std::vector<Verb> converge_verbs(CLI::App& app) {
   verb->footer("Example: hawser converge DECK -o results/orders --refine space --levels 4");
   return {{verb, OnRanks([arguments](const Communicator& world) {
              const Summary result =
-                 converge(world, built_in_modules(), arguments->deck, arguments->options);
+                 converge(world, built_in(), arguments->deck, arguments->options);
              const RunOptions& of_run = arguments->options.run;
              if (world.is_root()) draw(of_run.output, of_run.detail == LogDetail::quiet);
              return static_cast<int>(result.number("orders_failed").value_or(0) > 0

@@ -3,7 +3,6 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/deck/manual.hpp"
-#include "hawser/physics/plugin_loader.hpp"
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/deck_templates.hpp"
 #include "known_modules.hpp"
@@ -22,17 +21,17 @@ struct Arguments {
 std::shared_ptr<Arguments> new_arguments(CLI::App& verb) {
   auto arguments = std::make_shared<Arguments>();
   verb.add_option("--plugin", arguments->plugins,
-                  "plug-in whose modules are known, too; repeatable")
+                  "plug-in whose modules and reports are known, too; repeatable")
       ->allow_extra_args(false);
   verb.add_option("--plugin-dir", arguments->plugin_folder, "folder that plug-ins are loaded from");
   return arguments;
 }
 
-ModuleRegistry known_modules(const Arguments& arguments) {
-  ModuleRegistry registry = built_in_modules();
+Registries known_to(const Arguments& arguments) {
+  Registries known = built_in();
   for (const std::string& name : arguments.plugins)
-    load_plugin(name, arguments.plugin_folder, registry);
-  return registry;
+    load_plugin(name, arguments.plugin_folder, known);
+  return known;
 }
 
 int print(const std::string& text) {
@@ -45,7 +44,7 @@ Verb modules_verb(CLI::App& app) {
   verb->footer("Example: hawser modules --plugin heat");
   const auto arguments = new_arguments(*verb);
   return {verb, Alone([arguments] {
-            const ModuleRegistry registry = known_modules(*arguments);
+            const ModuleRegistry registry = known_to(*arguments).modules;
             for (const std::string& tag : registry.tags())
               std::printf("%-14s %s\n", tag.c_str(), registry.find(tag)->spec.meaning.c_str());
             return 0;
@@ -60,8 +59,7 @@ Verb describe_verb(CLI::App& app) {
                    "path, element, attribute or module: solver/newton, cable");
   verb->add_flag("--markdown", arguments->markdown, "all of it, as doc/deck_reference.md");
   return {verb, Alone([arguments] {
-            const ModuleRegistry registry = known_modules(*arguments);
-            const DeckLanguage language = deck_language(registry);
+            const DeckLanguage language = deck_language(known_to(*arguments));
             return print(arguments->markdown ? deck_reference(language)
                                              : describe(language, arguments->what));
           })};
@@ -72,10 +70,7 @@ Verb schema_verb(CLI::App& app) {
       app.add_subcommand("schema", "print the XML Schema of decks, for editors and xmllint");
   verb->footer("Example: hawser schema --plugin heat > deck.xsd");
   const auto arguments = new_arguments(*verb);
-  return {verb, Alone([arguments] {
-            const ModuleRegistry registry = known_modules(*arguments);
-            return print(schema(deck_language(registry)));
-          })};
+  return {verb, Alone([arguments] { return print(schema(deck_language(known_to(*arguments)))); })};
 }
 
 int print_template(const std::string& name) {

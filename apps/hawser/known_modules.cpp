@@ -5,15 +5,18 @@
 #include "ale_fluid.hpp"
 #include "cable.hpp"
 #include "mesh_motion.hpp"
+#include "tow.hpp"
 
 namespace hawser::program {
 
-ModuleRegistry built_in_modules() {
-  ModuleRegistry registry;
-  register_ale_fluid(registry);
-  register_cable(registry);
-  register_mesh_motion(registry);
-  return registry;
+Registries built_in() {
+  Registries known;
+  register_ale_fluid(known.modules);
+  register_cable(known.modules);
+  register_mesh_motion(known.modules);
+  register_tow(known.reports);
+  register_reports(known.reports);
+  return known;
 }
 
 std::string default_plugin_folder() {

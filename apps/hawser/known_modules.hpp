@@ -1,11 +1,11 @@
 #pragma once
 #include <string>
 
-#include "hawser/physics/module_registry.hpp"
+#include "hawser/simulation/registries.hpp"
 
 namespace hawser::program {
 
-ModuleRegistry built_in_modules();
+Registries built_in();
 
 /// Plug-ins lie beside the libraries: build/lib/hawser/plugins, or lib/hawser/plugins when
 /// installed.

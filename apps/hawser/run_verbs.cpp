@@ -110,7 +110,7 @@ Verb run_verb(CLI::App& app) {
   return {verb, OnRanks([arguments, preview](const Communicator& world) {
             const RunOptions options = options_of(*arguments);
             const auto simulation = [&] {
-              return Simulation(world, built_in_modules(), arguments->file, options);
+              return Simulation(world, built_in(), arguments->file, options);
             };
             if (arguments->dry_run) return preview(world, simulation());
             if (options.output.empty())
@@ -129,8 +129,7 @@ Verb restart_verb(CLI::App& app) {
   add_run_options(*verb, *arguments);
   return {verb, OnRanks([arguments](const Communicator& world) {
             return told(world, *arguments, [&] {
-              return Simulation::restart(world, built_in_modules(), arguments->file,
-                                         options_of(*arguments))
+              return Simulation::restart(world, built_in(), arguments->file, options_of(*arguments))
                   .run();
             });
           })};
@@ -143,8 +142,7 @@ Verb check_verb(CLI::App& app) {
   verb->add_option("deck", arguments->file, "XML deck")->required();
   add_changes(*verb, arguments->options);
   return {verb, OnRanks([arguments](const Communicator& world) {
-            const Simulation simulation(world, built_in_modules(), arguments->file,
-                                        arguments->options);
+            const Simulation simulation(world, built_in(), arguments->file, arguments->options);
             if (world.is_root())
               std::printf("%s: no faults (names of regions and fields are checked when it runs)\n",
                           arguments->file.c_str());
@@ -171,7 +169,7 @@ Verb mesh_verb(CLI::App& app) {
   verb->add_flag("-f,--force", arguments->options.force, "replace the file");
   return {verb, OnRanks([arguments](const Communicator& world) {
             const RunOptions& options = arguments->options;
-            Simulation simulation(world, built_in_modules(), arguments->file, options);
+            Simulation simulation(world, built_in(), arguments->file, options);
             if (simulation.has_mesh_file() != options.output.empty())
               throw Error(ExitCode::usage, simulation.has_mesh_file()
                                                ? "the deck's mesh is a file already; leave out -o"

@@ -33,7 +33,7 @@ int run(const StudyArguments& arguments) {
     run.plugin_folder = arguments.plugin_folder;
     for (const auto& [path, value] : values)
       run.changes.push_back({path, value});
-    return Simulation(Communicator(MPI_COMM_NULL), built_in_modules(), deck, run).resolved_deck();
+    return Simulation(Communicator(MPI_COMM_NULL), built_in(), deck, run).resolved_deck();
   };
   const StudyResult result = run_study(options, resolve);
   if (!options.quiet)

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "hawser/base/error.hpp"
+#include "hawser/deck/read_deck.hpp"
 #include "language.hpp"
 
 namespace {
@@ -150,12 +151,13 @@ std::string fault_of(const Files& files, const std::string& file,
     const Deck deck = read_deck(source, file, changes, language(), diagnostics);
     const RunDeck run = RunDeck::spec().read(deck.root, diagnostics);
     for (const DeckNode& node : run.modules.modules)
-      if (is_known_child(node, "modules", modules().tags(), diagnostics))
-        modules().find(node.tag)->make(node, {run.mesh.dimension()}, diagnostics);
+      if (is_known_child(node, "modules", known().modules.tags(), diagnostics))
+        known().modules.find(node.tag)->make(node, {run.mesh.dimension()}, diagnostics);
+    known().reports.read(run.reports, RunDeck::spec().node_spec(), diagnostics);
+    known().reports.read(run.output.reports, OutputDeck::spec().node_spec(), diagnostics);
     if (diagnostics.ok()) {
       // What is accepted must survive being written and read again, as in a checkpoint.
-      const std::string resolved =
-          resolved_deck(deck.root, language().root, language().open_children);
+      const std::string resolved = resolved_deck(deck.root, language());
       Diagnostics again;
       RunDeck::spec().read(parse_deck(resolved, "resolved.xml", again).root, again);
       if (!again.ok()) {

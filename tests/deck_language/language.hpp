@@ -8,34 +8,34 @@
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/deck_parameters.hpp"
 #include "mesh_motion.hpp"
+#include "tow.hpp"
 
 namespace hawser {
 
-inline const ModuleRegistry& modules() {
-  static const ModuleRegistry registry = [] {
-    ModuleRegistry result;
-    register_ale_fluid(result);
-    register_cable(result);
-    register_mesh_motion(result);
+inline const Registries& known() {
+  static const Registries registries = [] {
+    Registries result;
+    register_ale_fluid(result.modules);
+    register_cable(result.modules);
+    register_mesh_motion(result.modules);
+    register_tow(result.reports);
+    register_reports(result.reports);
     return result;
   }();
-  return registry;
+  return registries;
 }
 
 inline const DeckLanguage& language() {
-  static const DeckLanguage known = deck_language(modules());
-  return known;
+  static const DeckLanguage all = deck_language(known());
+  return all;
 }
 
 /// Calls visit(spec, path) for an element and all that may stand in it.
 template <class Visit>
 void for_each_element(const NodeSpec& spec, const std::string& path, const Visit& visit) {
   visit(spec, path);
-  for (const ChildSpec& child : spec.children)
+  for (const ChildSpec& child : language().children(spec))
     for_each_element(child.node, path + "/" + child.node.tag, visit);
-  if (spec.open_children.empty()) return;
-  for (const std::string& tag : language().open_tags)
-    for_each_element(*language().open_children(tag), path + "/" + tag, visit);
 }
 
 }  // namespace hawser

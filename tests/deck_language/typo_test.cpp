@@ -31,11 +31,7 @@ std::map<std::string, std::set<std::vector<std::string>>> names_in_shipped_decks
     for (const DeckAttribute& attribute : node.attributes)
       result[attribute.name].insert(allowed);
     for (const DeckNode& child : node.children) {
-      const NodeSpec* child_spec = nullptr;
-      for (const ChildSpec& known : spec->children)
-        if (known.node.tag == child.tag) child_spec = &known.node;
-      if (!spec->open_children.empty()) child_spec = language().open_children(child.tag);
-      again(child, child_spec, again);
+      again(child, language().find_child(spec, child.tag), again);
     }
   };
   for (const auto& entry :

@@ -93,8 +93,8 @@ class UnfitPlugin(unittest.TestCase):
         self.refused("unlinked", "of_a_library_that_is_not_linked", ranks=1)
 
     def test_whose_start_throws(self):
-        self.refused("thrower", "failed while it registered its modules: no licence server")
-        self.refused("number_thrower", "failed while it registered its modules: it threw something")
+        self.refused("thrower", "failed while it registered its parts: no licence server")
+        self.refused("number_thrower", "failed while it registered its parts: it threw something")
 
     def test_that_is_no_library(self):
         self.refused("diary", "cannot be loaded: ", folder=plugins_of("no_library", diary="Dear diary"))

@@ -31,7 +31,8 @@ class DeckRun {
     diagnostics.throw_if_any();
     const Communicator all;
     deck_.mesh.generate(all, "deck_run.msh");
-    system_ = build_system(all, deck_, std::move(modules), "deck_run.msh");
+    RunCase run{parsed, deck_, std::move(modules), {}};
+    system_ = build_system(all, run, "deck_run.msh");
   }
 
   System& system() { return *system_; }

@@ -56,7 +56,7 @@ ModuleRegistry all_modules_there_are() {
   register_ale_fluid(registry);
   register_cable(registry);
   register_mesh_motion(registry);
-  load_plugin("heat", HAWSER_TEST_PLUGINS, registry);
+  load_plugin("heat", HAWSER_TEST_PLUGINS, {module_export(registry)});
   return registry;
 }
 

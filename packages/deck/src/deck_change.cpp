@@ -68,7 +68,7 @@ class Setter {
       attribute = "value";
     }
     for (const Step& step : steps) {
-      const NodeSpec* const child_spec = spec_of_child(spec, language_, step.tag);
+      const NodeSpec* const child_spec = language_.find_child(spec, step.tag);
       node = go_to(*node, step, spec, child_spec);
       if (node == nullptr) return;
       spec = child_spec;
@@ -107,7 +107,7 @@ class Setter {
   DeckNode* go_to(DeckNode& parent, const Step& step, const NodeSpec* parent_spec,
                   const NodeSpec* spec) {
     std::vector<DeckNode*> candidates = children_of(parent, step.tag);
-    if (candidates.empty()) return make(parent, step, parent_spec, spec);
+    if (candidates.empty()) return make(parent, step, parent_spec);
     if (step.key.empty()) {
       if (candidates.size() == 1) return candidates.front();
       error("there are " + std::to_string(candidates.size()) + " <" + step.tag +
@@ -131,11 +131,9 @@ class Setter {
   }
 
   // An element that the deck leaves out, with all its defaults, is written for the purpose.
-  DeckNode* make(DeckNode& parent, const Step& step, const NodeSpec* parent_spec,
-                 const NodeSpec* spec) {
-    const bool is_module = parent_spec != nullptr && !parent_spec->open_children.empty();
-    if (spec != nullptr && step.key.empty() && !is_module)
-      return &add_child(parent, {step.tag, where_, {}, {}, {}});
+  DeckNode* make(DeckNode& parent, const Step& step, const NodeSpec* parent_spec) {
+    const bool declared = parent_spec != nullptr && parent_spec->find_child(step.tag) != nullptr;
+    if (declared && step.key.empty()) return &add_child(parent, {step.tag, where_, {}, {}, {}});
     std::vector<std::string> tags;
     for (const DeckNode& child : parent.children)
       tags.push_back(child.tag);

@@ -21,10 +21,6 @@ void apply(const DeckChange& change, DeckNode& root, const DeckLanguage& languag
 /// nothing uses and whose name nearly is that of one in use is a fault.
 void define_parameters(DeckNode& root, Diagnostics& diagnostics);
 
-/// The spec of a child; null when it is not known.
-const NodeSpec* spec_of_child(const NodeSpec* parent, const DeckLanguage& language,
-                              const std::string& tag);
-
 /// The attribute that tells an element from others of its tag: the one that the spec names, or,
 /// without a spec, the first of name, quantity, on, region that it has. Null when it has none.
 const DeckAttribute* key_of(const DeckNode& node, const NodeSpec* spec);

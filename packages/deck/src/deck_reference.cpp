@@ -47,7 +47,7 @@ void element(std::ostream& out, const NodeSpec& spec, const DeckLanguage& langua
   if (!spec.source.empty()) out << "Source: " << spec.source << ".\n";
   out << '\n';
   attributes(out, spec);
-  for (const ChildSpec& child : all_children(spec, language))
+  for (const ChildSpec& child : language.children(spec))
     element(out, child.node, language, path_of_child(path, child), hawser::how_often(child));
 }
 

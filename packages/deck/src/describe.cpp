@@ -56,7 +56,7 @@ void collect(std::vector<Place>& places, const NodeSpec& spec, const std::string
   places.push_back({path, spec, std::nullopt});
   for (const AttributeSpec& attribute : spec.attributes)
     places.push_back({joined(path, attribute.name), spec, attribute});
-  for (const ChildSpec& child : all_children(spec, language))
+  for (const ChildSpec& child : language.children(spec))
     collect(places, child.node, joined(path, child.node.tag), language);
 }
 
@@ -85,8 +85,13 @@ std::string describe(const Place& place, const DeckLanguage& language) {
   std::string text;
   if (!place.attribute) {
     write_element(text, place.element, &place.path, "", "");
-    if (!place.element.open_children.empty() || place.path.empty())
-      text += "modules: " + listed(language.open_tags) + "; hawser describe MODULE\n";
+    for (const auto& [parent, specs] : language.open_children) {
+      if (!place.path.empty() && place.element.tag != parent) continue;
+      std::vector<std::string> tags;
+      for (const NodeSpec& spec : specs)
+        tags.push_back(spec.tag);
+      text += parent + ": " + listed(tags) + "; hawser describe NAME\n";
+    }
   } else {
     text = place.path + ", attribute of <" + place.element.tag + ">\n";
     write_attributes(text, {*place.attribute}, "  ");
@@ -118,14 +123,6 @@ std::string path_of_child(const std::string& parent, const ChildSpec& child) {
   const std::string key = child.repeats ? child.node.key() : "";
   return (parent.empty() ? "" : parent + "/") + child.node.tag +
          (key.empty() ? "" : "[" + key + "]");
-}
-
-std::vector<ChildSpec> all_children(const NodeSpec& spec, const DeckLanguage& language) {
-  std::vector<ChildSpec> children = spec.children;
-  if (!spec.open_children.empty())
-    for (const std::string& tag : language.open_tags)
-      children.push_back({*language.open_children(tag), false, true, false});
-  return children;
 }
 
 std::string xml_escaped(const std::string& text) {

@@ -16,9 +16,6 @@ std::string how_often(const ChildSpec& child);
 /// Path of a child, as for --set: "solver/newton", "conditions/prescribe[name]".
 std::string path_of_child(const std::string& parent, const ChildSpec& child);
 
-/// Declared children, and those that only the language knows.
-std::vector<ChildSpec> all_children(const NodeSpec& spec, const DeckLanguage& language);
-
 /// With &lt; for < and so on.
 std::string xml_escaped(const std::string& text);
 

@@ -11,12 +11,6 @@ constexpr const char* extends_name = "extends";
 constexpr const char* remove_name = "remove";
 constexpr const char* key_names[] = {"name", "quantity", "on", "region"};
 
-const ChildSpec* find_child_spec(const NodeSpec* parent, const std::string& tag) {
-  for (std::size_t i = 0; parent != nullptr && i < parent->children.size(); ++i)
-    if (parent->children[i].node.tag == tag) return &parent->children[i];
-  return nullptr;
-}
-
 class Extension {
  public:
   Extension(const DeckLanguage& language, Diagnostics& diagnostics)
@@ -39,7 +33,7 @@ class Extension {
 
  private:
   void work_in(DeckNode& parent, const DeckNode& child, const NodeSpec* parent_spec) {
-    const NodeSpec* const spec = spec_of_child(parent_spec, language_, child.tag);
+    const NodeSpec* const spec = language_.find_child(parent_spec, child.tag);
     const bool removes = is_removal(child);
     DeckNode* const match = find_match(parent, child, parent_spec, spec, removes);
     if (removes) {
@@ -65,12 +59,13 @@ class Extension {
   DeckNode* find_match(DeckNode& parent, const DeckNode& child, const NodeSpec* parent_spec,
                        const NodeSpec* spec, bool removes) {
     const std::vector<DeckNode*> candidates = children_of(parent, child.tag);
-    const ChildSpec* const declared = find_child_spec(parent_spec, child.tag);
+    const ChildSpec* const declared =
+        parent_spec == nullptr ? nullptr : parent_spec->find_child(child.tag);
     if (declared != nullptr && !declared->repeats)
       return candidates.empty() ? nothing(child, spec, candidates, removes) : candidates.front();
     const DeckAttribute* const key = key_of(child, spec);
     if (key == nullptr) {
-      // Of modules there is mostly one of a kind, which need not be named by its region.
+      // Of modules and reports there is mostly one of a kind, which need not be named.
       if (candidates.size() == 1 && (removes || declared == nullptr)) return candidates.front();
       if (candidates.empty() || (declared != nullptr && !removes))
         return nothing(child, spec, candidates, removes);
@@ -103,13 +98,6 @@ class Extension {
 void extend(DeckNode& base, const DeckNode& changes, const DeckLanguage& language,
             Diagnostics& diagnostics) {
   Extension(language, diagnostics).merge(base, changes, &language.root);
-}
-
-const NodeSpec* spec_of_child(const NodeSpec* parent, const DeckLanguage& language,
-                              const std::string& tag) {
-  if (const ChildSpec* const declared = find_child_spec(parent, tag)) return &declared->node;
-  const bool open = parent != nullptr && !parent->open_children.empty();
-  return open && language.open_children ? language.open_children(tag) : nullptr;
 }
 
 std::string NodeSpec::key() const {

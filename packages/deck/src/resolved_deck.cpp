@@ -10,7 +10,7 @@ namespace {
 
 class Writer {
  public:
-  explicit Writer(const SpecLookup& lookup) : lookup_(lookup) {}
+  explicit Writer(const DeckLanguage& language) : language_(language) {}
 
   /// Without a spec, the node as it is.
   void write(const DeckNode& node, const NodeSpec* spec, const std::string& indent) {
@@ -27,7 +27,7 @@ class Writer {
     text_ += ">\n";
     const std::size_t begin_of_children = text_.size();
     for (const DeckNode& child : node.children)
-      write(child, spec_of(child, spec), indent + "  ");
+      write(child, language_.find_child(spec, child.tag), indent + "  ");
     if (spec) write_absent_children(node, *spec, indent + "  ");
     if (text_.size() == begin_of_children)
       text_.replace(end_of_tag, std::string::npos, "/>\n");
@@ -79,13 +79,6 @@ class Writer {
     return text;
   }
 
-  const NodeSpec* spec_of(const DeckNode& child, const NodeSpec* parent) const {
-    if (!parent) return nullptr;
-    for (const ChildSpec& candidate : parent->children)
-      if (candidate.node.tag == child.tag) return &candidate.node;
-    return lookup_ ? lookup_(child.tag) : nullptr;
-  }
-
   void write_absent_children(const DeckNode& node, const NodeSpec& spec,
                              const std::string& indent) {
     for (const ChildSpec& child : spec.children) {
@@ -99,20 +92,20 @@ class Writer {
     }
   }
 
-  const SpecLookup& lookup_;
+  const DeckLanguage& language_;
   std::string text_;
 };
 
 }  // namespace
 
-std::string resolved_deck(const DeckNode& node, const NodeSpec& spec, const SpecLookup& lookup) {
-  Writer writer(lookup);
-  writer.write(node, &spec, "");
+std::string resolved_deck(const DeckNode& node, const DeckLanguage& language) {
+  Writer writer(language);
+  writer.write(node, &language.root, "");
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + writer.take();
 }
 
 std::string deck_text(const DeckNode& node) {
-  const SpecLookup none;
+  const DeckLanguage none;
   Writer writer(none);
   writer.write(node, nullptr, "");
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + writer.take();

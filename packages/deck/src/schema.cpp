@@ -73,7 +73,7 @@ class SchemaWriter {
 
   // In any order; a schema of the first version cannot say both that and how often.
   void children(const NodeSpec& spec, const std::string& indent) {
-    const std::vector<ChildSpec> all = all_children(spec, language_);
+    const std::vector<ChildSpec> all = language_.children(spec);
     if (all.empty()) return;
     out_ << indent << "<xs:choice minOccurs=\"0\" maxOccurs=\"unbounded\">\n";
     for (const ChildSpec& child : all)

@@ -98,7 +98,7 @@ class DeckReading : public testing::Test {
     for (const std::string& change : changes)
       list.push_back(read_change(change));
     diagnostics_ = {};
-    return read_deck(world_, "case.xml", list, {Job::spec().node_spec(), {}, {}}, diagnostics_);
+    return read_deck(world_, "case.xml", list, {Job::spec().node_spec()}, diagnostics_);
   }
   Job run(const std::vector<std::string>& changes = {}) {
     return Job::spec().read(read(changes).root, diagnostics_);

@@ -221,7 +221,7 @@ TEST(Spec, DescribesItself) {
 
 TEST(Spec, TheResolvedDeckHoldsEveryDefaultAndReadsBackTheSame) {
   Diagnostics diagnostics;
-  const NodeSpec spec = Fluid::spec().node_spec();
+  const DeckLanguage spec{Fluid::spec().node_spec()};
   const std::string resolved = resolved_deck(parse(good, diagnostics), spec);
   EXPECT_EQ(resolved,
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -239,11 +239,11 @@ TEST(Spec, TheResolvedDeckHoldsEveryDefaultAndReadsBackTheSame) {
 
 TEST(Spec, TheResolvedDeckFindsTheSpecsOfOpenChildren) {
   Diagnostics diagnostics;
-  const NodeSpec newton = Newton::spec().node_spec();
+  const DeckLanguage language{Modules::spec().node_spec(),
+                              {{"modules", {Newton::spec().node_spec()}}}};
   const DeckNode node = parse(
       "<modules><newton tolerance=' 1 '/><other a='&lt;&amp;&quot;'/></modules>", diagnostics);
-  const auto lookup = [&](const std::string& tag) { return tag == "newton" ? &newton : nullptr; };
-  EXPECT_EQ(resolved_deck(node, Modules::spec().node_spec(), lookup),
+  EXPECT_EQ(resolved_deck(node, language),
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
             "<modules>\n"
             "  <newton max-iterations=\"10\" tolerance=\"1\"/>\n"

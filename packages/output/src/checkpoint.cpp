@@ -71,7 +71,31 @@ Hdf5File open_checkpoint(const Communicator& communicator, const std::string& pa
   return Hdf5File::open(communicator, path);
 }
 
+/// Of the names that begin with `prefix`, what is behind it.
+template <class Map>
+Map without_prefix(const Map& all, const std::string& prefix) {
+  Map result;
+  for (auto i = all.lower_bound(prefix); i != all.end(); ++i) {
+    if (i->first.compare(0, prefix.size(), prefix) != 0) break;
+    result.emplace(i->first.substr(prefix.size()), i->second);
+  }
+  return result;
+}
+
 }  // namespace
+
+void CheckpointNotes::add(const std::string& prefix, const CheckpointNotes& notes) {
+  for (const auto& [name, value] : notes.numbers) {
+    numbers[prefix + name] = value;
+  }
+  for (const auto& [name, text] : notes.texts) {
+    texts[prefix + name] = text;
+  }
+}
+
+CheckpointNotes CheckpointNotes::part(const std::string& prefix) const {
+  return {without_prefix(numbers, prefix), without_prefix(texts, prefix)};
+}
 
 void write_checkpoint(const Communicator& communicator, const std::string& path,
                       const CheckpointHeader& header, const std::vector<NamedArray>& arrays) {

@@ -37,7 +37,6 @@ std::string find_plugin(const std::string& name, const std::string& folder) {
 }
 
 using Stamp = const char* (*)();
-using Register = void (*)(ModuleRegistry&);
 
 void require_fitting(const std::string& plugin, Stamp stamp) {
   if (std::string(stamp()) != HAWSER_ABI_STAMP)
@@ -45,32 +44,26 @@ void require_fitting(const std::string& plugin, Stamp stamp) {
                       HAWSER_ABI_STAMP + "; build it again");
 }
 
+Stamp stamp_of(void* library, const PluginExport& kind) {
+  return reinterpret_cast<Stamp>(dlsym(library, (kind.prefix + "_stamp").c_str()));
+}
+
 /// Symbols stay local: two plug-ins may use the same names. Never closed: modules live in it.
-void* open_library(const std::string& plugin, const std::string& path) {
+void* open_library(const std::string& plugin, const std::string& path,
+                   const std::vector<PluginExport>& exports) {
   if (void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
   const std::string why = dlerror();
   // One of another build may lack symbols here; its stamp, which needs none, says so more clearly.
   if (void* const library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL))
-    if (const auto stamp = reinterpret_cast<Stamp>(dlsym(library, "hawser_plugin_stamp")))
-      require_fitting(plugin, stamp);
+    for (const PluginExport& kind : exports)
+      if (const Stamp stamp = stamp_of(library, kind)) require_fitting(plugin, stamp);
   throw PluginError(plugin + " cannot be loaded: " + why);
 }
 
-}  // namespace
-
-void load_plugin(const std::string& name, const std::string& folder, ModuleRegistry& registry) {
-  const std::string plugin = "plug-in '" + name + "'";
-  const std::string path = find_plugin(name, folder);
-  void* const library = open_library(plugin, path);
-  const auto stamp = reinterpret_cast<Stamp>(dlsym(library, "hawser_plugin_stamp"));
-  const auto fill = reinterpret_cast<Register>(dlsym(library, "hawser_plugin_register"));
-  if (stamp == nullptr || fill == nullptr)
-    throw PluginError(plugin + " (" + path +
-                      ") exports no HAWSER_PLUGIN(registry) {...}: it is not a Hawser plug-in");
-  require_fitting(plugin, stamp);
-  const std::string failed = plugin + " failed while it registered its modules: ";
+void call(const std::string& plugin, const PluginExport& kind, void* symbol) {
+  const std::string failed = plugin + " failed while it registered its parts: ";
   try {
-    fill(registry);
+    kind.call(symbol);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
@@ -78,6 +71,27 @@ void load_plugin(const std::string& name, const std::string& folder, ModuleRegis
   } catch (...) {
     throw PluginError(failed + "it threw something that is no std::exception");
   }
+}
+
+}  // namespace
+
+void load_plugin(const std::string& name, const std::string& folder,
+                 const std::vector<PluginExport>& exports) {
+  const std::string plugin = "plug-in '" + name + "'";
+  const std::string path = find_plugin(name, folder);
+  void* const library = open_library(plugin, path, exports);
+  bool empty = true;
+  for (const PluginExport& kind : exports) {
+    const Stamp stamp = stamp_of(library, kind);
+    void* const symbol = dlsym(library, (kind.prefix + "_register").c_str());
+    if (stamp == nullptr || symbol == nullptr) continue;
+    require_fitting(plugin, stamp);
+    call(plugin, kind, symbol);
+    empty = false;
+  }
+  if (empty)
+    throw PluginError(plugin + " (" + path +
+                      ") exports no HAWSER_PLUGIN(registry) {...}: it is not a Hawser plug-in");
 }
 
 }  // namespace hawser

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
+#include <sstream>
 
 namespace hawser {
 namespace {
@@ -48,19 +49,20 @@ void ConsoleLog::rejected(double time, double length, const std::string& why) {
                  Colour::warning);
 }
 
-void ConsoleLog::stepped(const StepFigures& figures, double end) {
-  if (first_time_ < 0) first_time_ = figures.time - figures.length;
+void ConsoleLog::stepped(const Step& step, const MeshFigures& mesh, double end) {
+  const double time = step.end.time;
+  if (first_time_ < 0) first_time_ = time - step.length;
   if (!tells()) return;
   const double wall =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const double left = wall * (end - figures.time) / (figures.time - first_time_);
+  const double left = wall * (end - time) / (time - first_time_);
   terminal_.line(fmt::format(
       "step {:4d}  t {:7g} s  dt {:g} s  Newton {} linear {:3d}  residual{}  quality {:.2f}  "
       "Courant {:.2f}  wall {:.1f} s  left {:.0f} s",
-      figures.step, figures.time, figures.length, figures.newton_iterations,
-      figures.linear_iterations, norms_, figures.mesh_quality, figures.courant, wall, left));
-  terminal_.bar(std::min(1.0, figures.time / end),
-                fmt::format("t {:g} of {:g} s, {:.0f} s left", figures.time, end, left));
+      step.number, time, step.length, step.newton_iterations, step.linear_iterations, norms_,
+      mesh.least_quality, mesh.courant, wall, left));
+  terminal_.bar(std::min(1.0, time / end),
+                fmt::format("t {:g} of {:g} s, {:.0f} s left", time, end, left));
 }
 
 void ConsoleLog::wrote(const std::string& what, int step, double time) {
@@ -68,22 +70,8 @@ void ConsoleLog::wrote(const std::string& what, int step, double time) {
     terminal_.line(fmt::format("  wrote {} of step {}, t = {:g} s", what, step, time));
 }
 
-void ConsoleLog::tow_table(const Summary& summary, const std::string& unit) {
-  const auto number = [&](const std::string& key) { return summary.number(key).value_or(0); };
-  terminal_.line("");
-  terminal_.line(fmt::format("{:<28}{:>14}{:>22}", "", "this run", "exact straight cable"));
-  terminal_.line(fmt::format("{:<28}{:>12.2f} m{:>20.2f} m", "end error", number("end_error_m"),
-                             number("end_error_exact_m")));
-  terminal_.line(fmt::format("{:<28}{:>12.2f} m{:>20.2f} m", "total error (along cable)",
-                             number("total_error_arc_m"), number("total_error_exact_m")));
-  terminal_.line(fmt::format(
-      "{:<28}{:>{}.0f} {}{:>22}", unit == "N" ? "tow force" : "tow force, per m of depth",
-      number(quantity_name({"tow_force", unit})), 13 - unit.size(), unit, "-"));
-}
-
-void ConsoleLog::expectation(const ExpectDeck& expect, const Summary& summary) {
-  const auto got = summary.number(expect.quantity.value);
-  const bool holds = got && std::abs(*got - expect.value) <= expect.within;
+void ConsoleLog::tell(const Judgement& judgement) {
+  const auto& [expect, got, holds] = judgement;
   if (holds && !tells()) return;
   terminal_.line(
       fmt::format("{}: expected {} = {:g} +- {:g} ({}); got {}{}", expect.quantity.location.text(),
@@ -93,19 +81,13 @@ void ConsoleLog::expectation(const ExpectDeck& expect, const Summary& summary) {
       holds ? Colour::good : Colour::bad);
 }
 
-void ConsoleLog::finish(const System& system, const RunDeck& deck, const Summary& summary) {
-  const std::string unit = system.mesh.force_unit();
-  if (tells() && system.tow) tow_table(summary, unit);
-  if (tells() && !system.tow)
-    for (const ForceReport& force : system.forces) {
-      const auto part = [&](const char* name) {
-        return summary.number(quantity_name({force.name() + name, unit})).value_or(0);
-      };
-      terminal_.line(fmt::format("{}: along {:.6g} {}, across {:.6g} {}", force.name(),
-                                 part("_force_along"), unit, part("_force_across"), unit));
-    }
-  for (const ExpectDeck& expect : deck.expectations)
-    expectation(expect, summary);
+void ConsoleLog::finish(const std::string& closing, const std::vector<Judgement>& judgements,
+                        const Summary& /*summary*/) {
+  std::istringstream lines(closing);
+  for (std::string line; tells() && std::getline(lines, line);)
+    terminal_.line(line);
+  for (const Judgement& judgement : judgements)
+    tell(judgement);
   if (tells()) terminal_.line("results: " + folder_);
 }
 

@@ -17,14 +17,14 @@ class ConsoleLog : public RunLog {
   void start(const System& system, const RunDeck& deck, const std::string& folder) override;
   void solved(const NonlinearReport& report) override;
   void rejected(double time, double length, const std::string& why) override;
-  void stepped(const StepFigures& figures, double end) override;
+  void stepped(const Step& step, const MeshFigures& mesh, double end) override;
   void wrote(const std::string& what, int step, double time) override;
-  void finish(const System& system, const RunDeck& deck, const Summary& summary) override;
+  void finish(const std::string& closing, const std::vector<Judgement>& judgements,
+              const Summary& summary) override;
 
  private:
   bool tells() const { return detail_ != LogDetail::quiet; }
-  void tow_table(const Summary& summary, const std::string& unit);
-  void expectation(const ExpectDeck& expect, const Summary& summary);
+  void tell(const Judgement& judgement);
 
   LogDetail detail_;
   Terminal terminal_;

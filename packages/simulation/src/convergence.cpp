@@ -7,9 +7,9 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/output/result_folder.hpp"
+#include "hawser/report/observed_order.hpp"
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/deck_parameters.hpp"
-#include "src/observed_order.hpp"
 #include "src/refinement.hpp"
 
 namespace hawser {
@@ -28,15 +28,15 @@ struct Quantity {
 
 class OrderStudy {
  public:
-  OrderStudy(const Communicator& communicator, const ModuleRegistry& registry,
-             std::string deck_file, const ConvergenceOptions& options)
+  OrderStudy(const Communicator& communicator, const Registries& registries, std::string deck_file,
+             const ConvergenceOptions& options)
       : communicator_(communicator),
-        registry_(registry),
+        registries_(registries),
         deck_file_(std::move(deck_file)),
         options_(options) {
     Diagnostics diagnostics;
     const Deck text = read_deck(communicator, deck_file_, options.run.changes,
-                                deck_language(registry), diagnostics);
+                                deck_language(registries), diagnostics);
     deck_ = RunDeck::spec().read(text.root, diagnostics);
     diagnostics.throw_if_any();
     if (deck_.converge) converge_ = *deck_.converge;
@@ -68,9 +68,8 @@ class OrderStudy {
 
  private:
   void choose_quantities(const Deck& text) {
-    for (const ErrorDeck& error : deck_.errors)
-      for (const char* norm : {"_error_l2", "_error_max"})
-        quantities_.push_back({error.name + norm});
+    for (const std::string& name : error_quantities(deck_.reports))
+      quantities_.push_back({name});
     for (const OrderDeck& order : converge_.orders) {
       Quantity* found = nullptr;
       for (Quantity& quantity : quantities_)
@@ -92,7 +91,7 @@ class OrderStudy {
     run.expects = false;  // they are about the deck as it stands
     for (DeckChange& change : refinement(deck_, converge_.refine, level))
       run.changes.push_back(std::move(change));
-    const Summary summary = Simulation(communicator_, registry_, deck_file_, run).run();
+    const Summary summary = Simulation(communicator_, registries_, deck_file_, run).run();
     const auto number = [&](const char* key) { return summary.number(key).value_or(0); };
     rejected_ = rejected_ || number("steps_rejected") > 0;
     std::string line = fmt::format("{},{},{},{},{}", level, std::ldexp(1.0, -level),
@@ -158,7 +157,7 @@ class OrderStudy {
   }
 
   const Communicator& communicator_;
-  const ModuleRegistry& registry_;
+  const Registries& registries_;
   std::string deck_file_;
   const ConvergenceOptions& options_;
   RunDeck deck_;
@@ -169,9 +168,9 @@ class OrderStudy {
 
 }  // namespace
 
-Summary converge(const Communicator& communicator, const ModuleRegistry& registry,
+Summary converge(const Communicator& communicator, const Registries& registries,
                  const std::string& deck_file, const ConvergenceOptions& options) {
-  return OrderStudy(communicator, registry, deck_file, options).run();
+  return OrderStudy(communicator, registries, deck_file, options).run();
 }
 
 }  // namespace hawser

@@ -4,13 +4,13 @@
 
 namespace hawser {
 
-DeckLanguage deck_language(const ModuleRegistry& registry) {
-  return {RunDeck::spec().node_spec(),
-          [&registry](const std::string& tag) {
-            const ModuleRegistry::Entry* const entry = registry.find(tag);
-            return entry == nullptr ? nullptr : &entry->spec;
-          },
-          registry.tags()};
+DeckLanguage deck_language(const Registries& registries) {
+  DeckLanguage language{RunDeck::spec().node_spec()};
+  for (const std::string& tag : registries.modules.tags())
+    language.open_children["modules"].push_back(registries.modules.find(tag)->spec);
+  for (const char* parent : {"hawser", "output"})
+    language.open_children[parent] = registries.reports.specs(parent);
+  return language;
 }
 
 }  // namespace hawser

@@ -14,7 +14,7 @@ Spec<ParameterDeck> ParameterDeck::spec() {
 }
 
 Spec<PluginDeck> PluginDeck::spec() {
-  return Spec<PluginDeck>("plugin", "A shared library with further physics modules.")
+  return Spec<PluginDeck>("plugin", "A shared library with further physics modules or reports.")
       .attribute("name", &PluginDeck::name, required(), "Its name, without folder and ending.");
 }
 
@@ -38,11 +38,9 @@ Spec<RunDeck> RunDeck::spec() {
       .child(&P::time, required())
       .child(&P::solver)
       .child(&P::output)
-      .child(&P::tow)
-      .children(&P::forces)
       .children(&P::expectations)
-      .children(&P::errors)
-      .child(&P::converge);
+      .child(&P::converge)
+      .any_children(&P::reports, "reports");
 }
 
 }  // namespace hawser

@@ -42,7 +42,7 @@ void JsonLog::rejected(double time, double length, const std::string& why) {
   tell({{"event", "rejected"}, {"time_s", time}, {"step_s", length}, {"reason", why}});
 }
 
-void JsonLog::stepped(const StepFigures& figures, double end) {
+void JsonLog::stepped(const Step& step, const MeshFigures& mesh, double end) {
   Json residuals = Json::array();
   if (!newton_.history.empty())
     for (const BlockNorm& norm : newton_.history.back())
@@ -51,24 +51,25 @@ void JsonLog::stepped(const StepFigures& figures, double end) {
                            {"residual", norm.residual},
                            {"unit", norm.unit}});
   tell({{"event", "step"},
-        {"step", figures.step},
-        {"time_s", figures.time},
-        {"step_s", figures.length},
+        {"step", step.number},
+        {"time_s", step.end.time},
+        {"step_s", step.length},
         {"end_s", end},
-        {"newton_iterations", figures.newton_iterations},
-        {"linear_iterations", figures.linear_iterations},
+        {"newton_iterations", step.newton_iterations},
+        {"linear_iterations", step.linear_iterations},
         {"jacobians", newton_.jacobians},
         {"factorizations", newton_.factorizations},
         {"residuals", residuals},
-        {"mesh_quality_min", figures.mesh_quality},
-        {"courant_max", figures.courant}});
+        {"mesh_quality_min", mesh.least_quality},
+        {"courant_max", mesh.courant}});
 }
 
 void JsonLog::wrote(const std::string& what, int step, double time) {
   tell({{"event", "output"}, {"what", what}, {"step", step}, {"time_s", time}});
 }
 
-void JsonLog::finish(const System& /*system*/, const RunDeck& /*deck*/, const Summary& summary) {
+void JsonLog::finish(const std::string& /*closing*/, const std::vector<Judgement>& /*judgements*/,
+                     const Summary& summary) {
   tell({{"event", "end"}, {"folder", folder_}, {"summary", Json::parse(summary.json())}});
 }
 

@@ -12,9 +12,10 @@ class JsonLog : public RunLog {
   void start(const System& system, const RunDeck& deck, const std::string& folder) override;
   void solved(const NonlinearReport& report) override;
   void rejected(double time, double length, const std::string& why) override;
-  void stepped(const StepFigures& figures, double end) override;
+  void stepped(const Step& step, const MeshFigures& mesh, double end) override;
   void wrote(const std::string& what, int step, double time) override;
-  void finish(const System& system, const RunDeck& deck, const Summary& summary) override;
+  void finish(const std::string& closing, const std::vector<Judgement>& judgements,
+              const Summary& summary) override;
 
  private:
   std::string folder_;

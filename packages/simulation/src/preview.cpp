@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/mesh_monitor.hpp"
+#include "hawser/report/mesh_monitor.hpp"
 
 namespace hawser {
 namespace {

@@ -1,18 +1,17 @@
 #include "src/run_case.hpp"
 
 #include "hawser/base/error.hpp"
-#include "hawser/physics/plugin_loader.hpp"
 #include "hawser/simulation/deck_language.hpp"
 
 namespace hawser {
 namespace {
 
 void load_plugins(const Communicator& communicator, const std::vector<PluginDeck>& plugins,
-                  const std::string& folder, ModuleRegistry& registry) {
+                  const std::string& folder, Registries& registries) {
   for (const PluginDeck& plugin : plugins)
     communicator.together([&] {
       try {
-        load_plugin(plugin.name.value, folder, registry);
+        load_plugin(plugin.name.value, folder, registries);
       } catch (const PluginError& error) {
         throw PluginError(plugin.name.location.text() + ": " + error.what());
       }
@@ -33,10 +32,19 @@ std::vector<PhysicsModule> make_modules(const DeckNode& root, const RunDeck& dec
   return modules;
 }
 
+std::vector<PlannedReport> plan_reports(const RunDeck& deck, const ReportRegistry& registry,
+                                        Diagnostics& diagnostics) {
+  auto reports = registry.read(deck.reports, RunDeck::spec().node_spec(), diagnostics);
+  for (PlannedReport& report :
+       registry.read(deck.output.reports, OutputDeck::spec().node_spec(), diagnostics))
+    reports.push_back(std::move(report));
+  return reports;
+}
+
 }  // namespace
 
 RunCase read_case(const Communicator& communicator, Deck text, const RunOptions& options,
-                  ModuleRegistry& registry, Diagnostics& diagnostics) {
+                  Registries& registries, Diagnostics& diagnostics) {
   RunCase run;
   run.text = std::move(text);
   run.deck = RunDeck::spec().read(run.text.root, diagnostics);
@@ -49,15 +57,15 @@ RunCase read_case(const Communicator& communicator, Deck text, const RunOptions&
   for (auto* conditions : {&run.deck.conditions.initial, &run.deck.conditions.prescribe})
     for (ConditionDeck& condition : *conditions)
       if (condition.table) condition.table->value = path_beside(run.text, *condition.table);
-  load_plugins(communicator, run.deck.plugins, options.plugin_folder, registry);
-  run.modules = make_modules(run.text.root, run.deck, registry, diagnostics);
+  load_plugins(communicator, run.deck.plugins, options.plugin_folder, registries);
+  run.modules = make_modules(run.text.root, run.deck, registries.modules, diagnostics);
+  run.reports = plan_reports(run.deck, registries.reports, diagnostics);
   diagnostics.throw_if_any();
   return run;
 }
 
-std::string resolved(const Deck& deck, const ModuleRegistry& registry) {
-  const DeckLanguage language = deck_language(registry);
-  return resolved_deck(deck.root, language.root, language.open_children);
+std::string resolved(const Deck& deck, const Registries& registries) {
+  return resolved_deck(deck.root, deck_language(registries));
 }
 
 ProvidedMesh provide_mesh(const Communicator& communicator, const RunCase& run,

@@ -1,10 +1,12 @@
 #pragma once
-// A deck read and checked, before any mesh: its text, its parameters, and the modules they make.
+// A deck read and checked, before any mesh: its text, its parameters, the modules they
+// make and the reports they plan.
 #include <string>
 #include <vector>
 
 #include "hawser/base/communicator.hpp"
 #include "hawser/simulation/deck_parameters.hpp"
+#include "hawser/simulation/registries.hpp"
 #include "hawser/simulation/simulation.hpp"
 
 namespace hawser {
@@ -13,15 +15,16 @@ struct RunCase {
   Deck text;
   RunDeck deck;
   std::vector<PhysicsModule> modules;
+  std::vector<PlannedReport> reports;
 };
 
-/// Loads the deck's plug-ins into `registry`. Collective; DeckError with every fault, those in
+/// Loads the deck's plug-ins into `registries`. Collective; DeckError with every fault, those in
 /// `diagnostics` included, or PluginError, on all ranks.
 RunCase read_case(const Communicator& communicator, Deck text, const RunOptions& options,
-                  ModuleRegistry& registry, Diagnostics& diagnostics);
+                  Registries& registries, Diagnostics& diagnostics);
 
 /// XML with every default.
-std::string resolved(const Deck& deck, const ModuleRegistry& registry);
+std::string resolved(const Deck& deck, const Registries& registries);
 
 /// Path of the deck's mesh file; one that must be made is made at `place`, and `made` is what the
 /// mesher says about it. Collective; MeshError on all ranks.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hawser/output/summary.hpp"
+#include "hawser/report/expectations.hpp"
 #include "hawser/simulation/simulation.hpp"
 #include "src/system.hpp"
 
@@ -18,10 +19,12 @@ class RunLog {
   /// Newton's method for the step that is told next.
   virtual void solved(const NonlinearReport& report) = 0;
   virtual void rejected(double time, double length, const std::string& why) = 0;
-  virtual void stepped(const StepFigures& figures, double end) = 0;
+  virtual void stepped(const Step& step, const MeshFigures& mesh, double end) = 0;
   /// `what` is "fields" or "checkpoint".
   virtual void wrote(const std::string& what, int step, double time) = 0;
-  virtual void finish(const System& system, const RunDeck& deck, const Summary& summary) = 0;
+  /// `closing`: what the reports say at the end.
+  virtual void finish(const std::string& closing, const std::vector<Judgement>& judgements,
+                      const Summary& summary) = 0;
 };
 
 std::unique_ptr<RunLog> make_run_log(const Communicator& communicator, const RunOptions& options);

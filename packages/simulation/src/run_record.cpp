@@ -2,27 +2,19 @@
 
 #include "hawser/output/provenance.hpp"
 #include "hawser/time/state_checkpoint.hpp"
-#include "src/mesh_monitor.hpp"
 
 namespace hawser {
 namespace {
 
-void measure(const System& system, StepFigures& result) {
-  const State& state = system.problem->end();
-  const State& balance = system.problem->state();
-  result.time = state.time;
-  result.balance_time = balance.time;
-  result.length = system.integrator->history().step;
-  const MeshFigures mesh = inspect_mesh(*system.dofs, state);
-  result.mesh_quality = mesh.least_quality;
-  result.courant = mesh.courant;
-  if (system.tow) result.tow = system.tow->measure(state, system.problem->reactions());
-  for (const ForceReport& force : system.forces)
-    result.forces.push_back(force.measure(balance, system.problem->reactions()));
-  for (const Probe& probe : system.probes)
-    for (int c = 0; c < probe.components; ++c)
-      result.probes.push_back(system.mesh.communicator.sum(
-          probe.first_row < 0 ? 0.0 : state.value[static_cast<std::size_t>(probe.first_row + c)]));
+/// The state from which a run steps on.
+State state_of(const TimeHistory& history) {
+  State state;
+  state.time = history.time;
+  state.value = state.accepted = history.value;
+  state.rate = history.rate;
+  state.rate_slope.assign(history.value.size(), 0);
+  state.rate_partner.assign(history.value.size(), 0);
+  return state;
 }
 
 }  // namespace
@@ -35,33 +27,37 @@ RunRecord::RunRecord(System& system, const RunCase& run, const ResultFolder& fol
       log_(log),
       mesh_file_(std::filesystem::absolute(mesh_file)),
       step_(earlier ? earlier->header().step : 0),
-      fields_(*system.assembler, system.tow.get(), folder.path(), earlier ? step_ : -1),
-      histories_(system.mesh, folder.path(), system.tow.get(), system.forces, system.probes,
-                 earlier ? std::optional<double>(earlier->header().time) : std::nullopt) {
-  if (earlier) figures_.resume(earlier->header());
-  if (system.receivers)
-    system.receivers->open(folder.path(), system.integrator->history(), earlier != nullptr);
+      fields_(*system.assembler, system.modules, system.reports->all(), folder.path(),
+              earlier ? step_ : -1) {
+  if (earlier) system.reports->resume(earlier->header());
+  const State state = state_of(system.integrator->history());
+  system.reports->start({folder.path(), state, earlier != nullptr});
 }
 
-void RunRecord::accepted(StepFigures& figures) {
-  figures.step = ++step_;
-  measure(system_, figures);
-  figures_.add(figures);
+void RunRecord::accepted(const Step& step) {
+  step_ = step.number;
+  last_.emplace(step);
+  system_.reports->accepted(step);
 }
 
-void RunRecord::write(const StepFigures& figures, const StepControl& steps, bool last) {
+void RunRecord::write(const StepControl& steps) {
   const auto lap = watch_.lap();
-  const State& state = system_.problem->end();
   const OutputDeck& output = run_.deck.output;
   const auto due = [&](int every) { return every > 0 && step_ % every == 0; };
-  if (due(output.history_every) || last) histories_.append(figures);
-  if (due(output.fields_every) || last) {
-    fields_.write(step_, state);
-    histories_.append_cable(state);
-    log_.wrote("fields", step_, state.time);
+  const bool fields_due = due(output.fields_every) || last_->last;
+  if (fields_due && fields_.writes()) {
+    fields_.write(step_, last_->end);
+    log_.wrote("fields", step_, last_->end.time);
   }
-  if (system_.receivers) system_.receivers->stepped(state, step_, last);
+  system_.reports->write(*last_, due(output.history_every) || last_->last, fields_due);
   if (due(output.checkpoint_every)) save_checkpoint(steps);
+}
+
+Summary RunRecord::summary() const {
+  Summary result;
+  result.set("title", run_.deck.title);
+  system_.reports->summarise(*last_, result);
+  return result;
 }
 
 std::string RunRecord::save_checkpoint(const StepControl& steps) {
@@ -69,7 +65,7 @@ std::string RunRecord::save_checkpoint(const StepControl& steps) {
   header.step = step_;
   header.numbers["control_step_s"] = steps.step();
   header.numbers["control_successes"] = steps.successes();
-  figures_.save(header);
+  system_.reports->save(header);
   header.texts["deck"] = run_.text.text;
   header.texts["deck_file"] = run_.text.file;
   Summary provenance;

@@ -1,17 +1,13 @@
 #pragma once
-// What a run leaves in its result folder while it steps: histories, fields, checkpoints, and the
-// figures that its summary is made of.
+// What a run leaves in its result folder while it steps: reports, fields, checkpoints.
 #include <filesystem>
-#include <memory>
+#include <optional>
 
 #include "hawser/base/stopwatch.hpp"
 #include "hawser/output/result_folder.hpp"
+#include "hawser/report/field_output.hpp"
 #include "hawser/time/step_control.hpp"
-#include "src/field_output.hpp"
-#include "src/run_case.hpp"
 #include "src/run_log.hpp"
-#include "src/run_summary.hpp"
-#include "src/system.hpp"
 
 namespace hawser {
 
@@ -22,16 +18,17 @@ class RunRecord {
   RunRecord(System& system, const RunCase& run, const ResultFolder& folder,
             const std::string& mesh_file, RunLog& log, const CheckpointReader* earlier);
 
-  void rejected() { figures_.rejected(); }
-  /// Takes an accepted step into account, numbers and measures it.
-  void accepted(StepFigures& figures);
+  void rejected() { system_.reports->rejected(); }
+  /// Measures an accepted step.
+  void accepted(const Step& step);
   /// What is due after that step.
-  void write(const StepFigures& figures, const StepControl& steps, bool last);
+  void write(const StepControl& steps);
   /// The last accepted state; returns the file's name. A restarted run begins without a Jacobian or
   /// factor; to be equal to it, this one goes on without them, too.
   std::string save_checkpoint(const StepControl& steps);
 
-  Summary summary() const { return figures_.summary(system_, run_.deck); }
+  int step() const { return step_; }  ///< number of the last accepted step
+  Summary summary() const;
   double seconds() const { return watch_.seconds(); }  ///< spent on writing
 
  private:
@@ -42,8 +39,7 @@ class RunRecord {
   std::filesystem::path mesh_file_;
   int step_;
   FieldOutput fields_;
-  Histories histories_;
-  RunSummary figures_;
+  std::optional<Step> last_;
   Stopwatch watch_;
 };
 

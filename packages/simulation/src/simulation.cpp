@@ -17,7 +17,7 @@ namespace hawser {
 
 struct Simulation::Implementation {
   Communicator communicator;
-  ModuleRegistry registry;
+  Registries registries;
   RunOptions options;
   RunCase run_case;
   std::unique_ptr<CheckpointReader> checkpoint;  // when restarted
@@ -29,14 +29,14 @@ struct Simulation::Implementation {
   std::unique_ptr<RunLog> log;
   Stopwatch setup_watch, run_watch, newton_watch;
 
-  Implementation(const Communicator& comm, ModuleRegistry known, RunOptions wanted)
-      : communicator(comm), registry(std::move(known)), options(std::move(wanted)) {}
+  Implementation(const Communicator& comm, Registries known, RunOptions wanted)
+      : communicator(comm), registries(std::move(known)), options(std::move(wanted)) {}
 
   const RunDeck& deck() const { return run_case.deck; }
   double now() const { return system->integrator->history().time; }
 
   void read(Deck text, Diagnostics& diagnostics) {
-    run_case = read_case(communicator, std::move(text), options, registry, diagnostics);
+    run_case = read_case(communicator, std::move(text), options, registries, diagnostics);
   }
 
   /// A restarted run continues the results beside its checkpoint; elsewhere it needs --force, like
@@ -60,7 +60,7 @@ struct Simulation::Implementation {
   std::string build(const std::string& place) {
     try {
       std::string file = provide_mesh(place);
-      system = build_system(communicator, deck(), std::move(run_case.modules), file);
+      system = build_system(communicator, run_case, file);
       return file;
     } catch (const MeshError& error) {
       throw MeshError(deck().mesh.location.text() + ": " + error.what());
@@ -81,32 +81,36 @@ struct Simulation::Implementation {
     }
     record =
         std::make_unique<RunRecord>(*system, run_case, folder, mesh_file, *log, checkpoint.get());
-    folder.write("resolved.xml", resolved(run_case.text, registry));
+    folder.write("resolved.xml", resolved(run_case.text, registries));
     log->start(*system, deck(), folder.path());
   }
 
   /// One attempt at a step; SolveError when there is no solution to be had.
-  StepFigures attempt(double length) {
+  Step attempt(double length) {
     const auto lap = newton_watch.lap();
     CoupledProblem& problem = *system->problem;
     problem.begin_step(length);
     const auto x = problem.guess();
     const NonlinearReport report = system->driver->solve(*x);
     problem.finish_step(*x);
-    StepFigures result;
-    result.newton_iterations = report.iterations;
-    result.local_error = system->integrator->local_error(problem.state());
-    result.linear_iterations = report.linear_iterations;
     log->solved(report);
-    return result;
+    return {record->step() + 1,
+            length,
+            steps->finished(problem.end().time),
+            system->integrator->local_error(problem.state()),
+            report.iterations,
+            report.linear_iterations,
+            problem.end(),
+            problem.state(),
+            problem.reactions()};
   }
 
   /// One attempt; none when it was rejected and a shorter step is to be tried. When there is no
   /// shorter one: a checkpoint, and SolveError.
-  std::optional<StepFigures> advance() {
+  std::optional<Step> advance() {
     const double length = steps->next(now(), system->integrator->history().step);
     try {
-      StepFigures result = attempt(length);
+      const Step result = attempt(length);
       const StepOutcome outcome{result.local_error, result.newton_iterations};
       if (steps->is_too_inaccurate(outcome) && steps->rejected(length, outcome)) {
         record->rejected();
@@ -148,12 +152,12 @@ struct Simulation::Implementation {
     const auto lap = run_watch.lap();
     while (!steps->finished(now())) {
       obey(signals.take());
-      std::optional<StepFigures> figures = advance();
-      if (!figures) continue;
+      const std::optional<Step> step = advance();
+      if (!step) continue;
       system->problem->accept();
-      record->accepted(*figures);
-      log->stepped(*figures, deck().time.end);
-      record->write(*figures, *steps, steps->finished(now()));
+      record->accepted(*step);
+      log->stepped(*step, system->reports->mesh_figures(), deck().time.end);
+      record->write(*steps);
     }
   }
 
@@ -178,9 +182,10 @@ struct Simulation::Implementation {
     summary.set("wall_s", setup_watch.seconds() + run_watch.seconds());
     add_provenance(communicator, summary);
     summary.object("provenance").set("deck", run_case.text.file);
-    check_expectations(deck(), summary);
+    const std::vector<Judgement> judgements = judge(deck().expectations, summary);
+    add_judgements(judgements, summary);
     summary.write(communicator, folder.file("summary.json"));
-    log->finish(*system, deck(), summary);
+    log->finish(system->reports->closing(), judgements, summary);
     return summary;
   }
 };
@@ -190,20 +195,20 @@ Simulation::Simulation(std::unique_ptr<Implementation> implementation)
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 
-Simulation::Simulation(const Communicator& communicator, ModuleRegistry registry,
+Simulation::Simulation(const Communicator& communicator, Registries registries,
                        const std::string& deck_file, const RunOptions& options)
     : implementation_(
-          std::make_unique<Implementation>(communicator, std::move(registry), options)) {
+          std::make_unique<Implementation>(communicator, std::move(registries), options)) {
   Diagnostics diagnostics;
   implementation_->read(read_deck(communicator, deck_file, options.changes,
-                                  deck_language(implementation_->registry), diagnostics),
+                                  deck_language(implementation_->registries), diagnostics),
                         diagnostics);
 }
 
-Simulation Simulation::restart(const Communicator& communicator, ModuleRegistry registry,
+Simulation Simulation::restart(const Communicator& communicator, Registries registries,
                                const std::string& checkpoint, const RunOptions& options) {
   auto implementation =
-      std::make_unique<Implementation>(communicator, std::move(registry), options);
+      std::make_unique<Implementation>(communicator, std::move(registries), options);
   implementation->checkpoint = std::make_unique<CheckpointReader>(communicator, checkpoint);
   const CheckpointHeader& header = implementation->checkpoint->header();
   implementation->home = std::filesystem::absolute(checkpoint).parent_path();
@@ -235,7 +240,7 @@ std::string Simulation::make_mesh(const std::string& file) {
 bool Simulation::has_mesh_file() const { return implementation_->deck().mesh.file.has_value(); }
 
 std::string Simulation::resolved_deck() const {
-  return resolved(implementation_->run_case.text, implementation_->registry);
+  return resolved(implementation_->run_case.text, implementation_->registries);
 }
 
 }  // namespace hawser

@@ -42,20 +42,6 @@ void check_regions(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
     }
 }
 
-Probe make_probe(const DofMap& dofs, const ProbeDeck& deck, Diagnostics& diagnostics) {
-  Probe probe{deck.name, deck.field.value, "", 1, -1};
-  const Region* const point =
-      find_point(dofs.mesh(), deck.on, "probe '" + deck.name + "'", diagnostics);
-  const int field = find_field(dofs, deck.field, diagnostics);
-  if (field < 0) return probe;
-  probe.unit = dofs.fields()[static_cast<std::size_t>(field)].unit;
-  probe.components = dofs.fields()[static_cast<std::size_t>(field)].components;
-  if (point == nullptr) return probe;
-  const std::vector<LocalIndex> rows = dofs.region_rows(field, *point);
-  if (!rows.empty() && rows.front() < dofs.owned()) probe.first_row = rows.front();
-  return probe;
-}
-
 /// At rest the row of a structure's displacement holds the velocity alone: an incomplete factor
 /// meets a zero on the diagonal there.
 void check_steady(const System& system, const RunDeck& deck) {
@@ -77,16 +63,12 @@ void check_steady(const System& system, const RunDeck& deck) {
 
 }  // namespace
 
-std::unique_ptr<System> build_system(const Communicator& communicator, const RunDeck& deck,
-                                     std::vector<PhysicsModule> modules,
+std::unique_ptr<System> build_system(const Communicator& communicator, RunCase& run,
                                      const std::string& mesh_file) {
+  const RunDeck& deck = run.deck;
   auto system = std::make_unique<System>(
       System{read_mesh(communicator, {mesh_file, deck.mesh.slits, deck.mesh.dimension()}),
-             std::move(modules),
-             {},
-             {},
-             {},
-             {},
+             std::move(run.modules),
              {},
              {},
              {},
@@ -105,18 +87,11 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
   const Tracks tracks = make_tracks(deck.tracks, diagnostics);
   system->conditions = std::make_unique<Conditions>(*system->assembler, system->table.rate_rules,
                                                     deck.conditions, tracks, diagnostics);
-  if (deck.tow)
-    system->tow = std::make_unique<TowReport>(*system->dofs, *deck.tow, tracks, diagnostics);
-  for (const ForceDeck& force : deck.forces)
-    system->forces.emplace_back(*system->assembler, system->modules, force, diagnostics);
-  for (const ProbeDeck& probe : deck.output.probes)
-    system->probes.push_back(make_probe(*system->dofs, probe, diagnostics));
-  for (const ErrorDeck& error : deck.errors)
-    system->errors.emplace_back(*system->dofs, error, diagnostics);
+  system->reports = std::make_unique<Reports>(
+      run.reports,
+      ReportContext{*system->assembler, system->modules, system->table.rate_rules, tracks},
+      diagnostics);
   diagnostics.throw_if_any();
-  if (deck.tow && deck.tow->receivers)
-    system->receivers =
-        std::make_unique<Receivers>(*system->assembler, *system->tow, *deck.tow->receivers);
 
   system->integrator = std::make_unique<TimeIntegrator>(
       *system->assembler, system->table.rate_rules, deck.time.scheme());

@@ -8,11 +8,10 @@
 
 #include "hawser/assembly/field_table.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/report/reports.hpp"
 #include "hawser/solve/nonlinear_driver.hpp"
 #include "src/coupled_problem.hpp"
-#include "src/error_report.hpp"
-#include "src/histories.hpp"
-#include "src/receivers.hpp"
+#include "src/run_case.hpp"
 
 namespace hawser {
 
@@ -26,16 +25,12 @@ struct System {
   std::unique_ptr<TimeIntegrator> integrator;
   std::unique_ptr<CoupledProblem> problem;
   std::unique_ptr<NonlinearDriver> driver;
-  std::unique_ptr<TowReport> tow;        ///< null when the deck asks for none
-  std::unique_ptr<Receivers> receivers;  ///< likewise
-  std::vector<ForceReport> forces;
-  std::vector<Probe> probes;
-  std::vector<ErrorReport> errors;
+  std::unique_ptr<Reports> reports;
 };
 
-/// Collective. MeshError, or DeckError with every name that the mesh or the modules do not know.
-std::unique_ptr<System> build_system(const Communicator& communicator, const RunDeck& deck,
-                                     std::vector<PhysicsModule> modules,
+/// Takes the case's modules. Collective. MeshError, or DeckError with every name that the mesh or
+/// the modules do not know.
+std::unique_ptr<System> build_system(const Communicator& communicator, RunCase& run,
                                      const std::string& mesh_file);
 
 /// "velocity y at (x, y) m" for error messages.

@@ -2,6 +2,7 @@
 // A Spec without its C++ types: what `hawser describe`, the schema, the reference manual and the
 // resolved deck are made of.
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,9 @@ struct NodeSpec {
   std::vector<AttributeSpec> attributes;
   std::vector<ChildSpec> children;
   std::string source = {};    ///< where its formulas come from: a page of the documentation
-  std::string open_children;  ///< not empty: children that a table knows are allowed too
+  std::string open_children;  ///< not empty: what kind of children the language knows beside these
+
+  const ChildSpec* find_child(const std::string& child_tag) const;  ///< declared ones; or null
 
   /// The attribute that tells repeated elements apart, where decks are extended or changed: the
   /// first of name, quantity, on, region that there is; or "".
@@ -47,9 +50,16 @@ struct ChildSpec {
   bool has_defaults = false;  ///< when absent, it counts as written with all its defaults
 };
 
-/// Finds the spec of a child whose tag is known at run time only (a module's); null when there is
-/// none.
-using SpecLookup = std::function<const NodeSpec*(const std::string& tag)>;
+/// What a deck may hold: the specs of its elements.
+struct DeckLanguage {
+  NodeSpec root;
+  /// Children that are known at run time only (modules, reports), by the tag of their parent.
+  std::map<std::string, std::vector<NodeSpec>> open_children = {};
+
+  /// Declared and open children alike; null when there is none of that tag, or no parent.
+  const NodeSpec* find_child(const NodeSpec* parent, const std::string& tag) const;
+  std::vector<ChildSpec> children(const NodeSpec& parent) const;
+};
 
 /// For people: every attribute and child with type, unit, default, range and meaning. manual.hpp
 /// has more of the kind.
@@ -57,8 +67,7 @@ std::string describe(const NodeSpec& spec);
 
 /// The deck that `node` amounts to, as XML: every value as a plain number in its attribute's unit
 /// (with a comment that says how it was given), and every default that was used.
-std::string resolved_deck(const DeckNode& node, const NodeSpec& spec,
-                          const SpecLookup& lookup = {});
+std::string resolved_deck(const DeckNode& node, const DeckLanguage& language);
 
 /// Reports `child` when its tag is not among `allowed` (with the nearest name) and returns false
 /// then.

@@ -28,13 +28,6 @@ struct DeckChange {
 /// From "path=value"; an Error (usage) when there is no '='.
 DeckChange read_change(const std::string& text);
 
-/// What a deck may hold: the specs of its elements.
-struct DeckLanguage {
-  NodeSpec root;
-  SpecLookup open_children;            ///< by tag, as resolved_deck takes them; may be empty
-  std::vector<std::string> open_tags;  ///< those that open_children is known to find
-};
-
 /// The text of a file; none when it cannot be read.
 using DeckFiles = std::function<std::optional<std::string>(const std::string& file)>;
 

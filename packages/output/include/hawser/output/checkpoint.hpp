@@ -10,11 +10,18 @@
 
 namespace hawser {
 
-struct CheckpointHeader {
-  int step = 0;
-  double time = 0;                           ///< s
+struct CheckpointNotes {
   std::map<std::string, double> numbers;     ///< time step, controller state, ...
   std::map<std::string, std::string> texts;  ///< resolved deck, version, ...
+
+  /// Another's notes under names that begin with `prefix`, and those again without it.
+  void add(const std::string& prefix, const CheckpointNotes& notes);
+  CheckpointNotes part(const std::string& prefix) const;
+};
+
+struct CheckpointHeader : CheckpointNotes {
+  int step = 0;
+  double time = 0;  ///< s
 };
 
 /// One value per rank-independent id in [0, global_count) and component.

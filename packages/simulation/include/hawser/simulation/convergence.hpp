@@ -17,7 +17,7 @@ struct ConvergenceOptions {
 /// Runs all levels one after the other, prints a table, writes converge.json and converge.csv, and
 /// returns what converge.json says; "orders_failed" counts the <order> elements that do not hold.
 /// Collective; any Error on all ranks.
-Summary converge(const Communicator& communicator, const ModuleRegistry& registry,
+Summary converge(const Communicator& communicator, const Registries& registries,
                  const std::string& deck_file, const ConvergenceOptions& options);
 
 }  // namespace hawser

@@ -1,11 +1,10 @@
 #pragma once
-#include "hawser/deck/read_deck.hpp"
-#include "hawser/physics/module_registry.hpp"
+#include "hawser/deck/node_spec.hpp"
+#include "hawser/simulation/registries.hpp"
 
 namespace hawser {
 
-/// What a deck may hold: everything outside of the modules, and the modules that `registry` knows.
-/// It refers to the registry.
-DeckLanguage deck_language(const ModuleRegistry& registry);
+/// What a deck may hold: what the program obeys itself, and the modules and reports that are known.
+DeckLanguage deck_language(const Registries& registries);
 
 }  // namespace hawser

@@ -8,8 +8,8 @@
 #include "hawser/base/communicator.hpp"
 #include "hawser/deck/read_deck.hpp"
 #include "hawser/output/summary.hpp"
-#include "hawser/physics/module_registry.hpp"
-#include "hawser/simulation/verification_deck.hpp"
+#include "hawser/report/verification_deck.hpp"
+#include "hawser/simulation/registries.hpp"
 
 namespace hawser {
 
@@ -34,10 +34,10 @@ class Simulation {
  public:
   /// Reads and checks the deck; nothing is written yet. Collective; DeckError or PluginError on all
   /// ranks.
-  Simulation(const Communicator& communicator, ModuleRegistry registry,
-             const std::string& deck_file, const RunOptions& options);
+  Simulation(const Communicator& communicator, Registries registries, const std::string& deck_file,
+             const RunOptions& options);
   /// Continues from a checkpoint with the deck that is kept in it.
-  static Simulation restart(const Communicator& communicator, ModuleRegistry registry,
+  static Simulation restart(const Communicator& communicator, Registries registries,
                             const std::string& checkpoint, const RunOptions& options);
   ~Simulation();
   Simulation(Simulation&&) noexcept;

@@ -1,0 +1,35 @@
+#pragma once
+// Forces on regions: the load of one module, or the reaction of the supports.
+#include "hawser/report/force.hpp"
+#include "hawser/report/report.hpp"
+
+namespace hawser {
+
+struct ForceDeck {
+  std::string name;
+  Located<std::string> on;
+  Located<std::string> module{"all", {}};
+  Located<std::vector<double>> axis;  ///< +x when empty
+  static Spec<ForceDeck> spec();
+};
+
+class ForceReport : public Report {
+ public:
+  using Parameters = ForceDeck;
+  ForceReport(const ForceDeck& deck, const ReportContext& context, Diagnostics& diagnostics);
+
+  std::vector<Column> columns() const override;
+  std::string closing() const override;
+
+ private:
+  /// Load on the region of the modules of that name (minus their residual), or the reaction.
+  std::vector<double> measure(const Step& step) override;
+  void choose_modules(const std::vector<PhysicsModule>& modules, Diagnostics& diagnostics);
+
+  const Assembler& assembler_;
+  ForceDeck deck_;
+  std::vector<int> modules_;      // none: the reaction
+  std::vector<LocalIndex> rows_;  // first velocity rows, owned
+};
+
+}  // namespace hawser

@@ -1,0 +1,47 @@
+#pragma once
+// Where each receiver of a towed cable is, at the times that a survey asks for: receivers.csv.
+//
+//   offset         m from the tow axis through the tow point, positive to starboard
+//   feather_angle  degrees from straight astern to the line tow point - receiver, positive to
+//                  starboard; for a receiver at the tow point that of the first segment
+//   tension        N per metre of depth in two dimensions
+//
+// What is written does not change the run: between two steps everything is interpolated linearly.
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/report/line_geometry.hpp"
+#include "hawser/report/report.hpp"
+#include "tow_deck.hpp"
+
+namespace hawser {
+
+class Receivers {
+ public:
+  /// `axis`: the tow axis at a time, a unit vector of the mesh's dimension.
+  Receivers(const Assembler& assembler, const LineGeometry& line, const ReceiversDeck& deck,
+            std::function<std::vector<double>(double time)> axis);
+
+  /// Collective, as is stepped().
+  void open(const std::string& file, const ReportStart& start);
+  void stepped(const Step& step);
+
+ private:
+  struct Sample {
+    double time = 0;
+    std::vector<double> rows;  // [receiver][column]
+  };
+  Sample sample(const State& state) const;
+
+  const Assembler& assembler_;
+  const LineGeometry& line_;
+  ReceiversDeck deck_;
+  std::function<std::vector<double>(double)> axis_;
+  std::vector<double> places_;  // m, unstretched arc length of each receiver
+  std::unique_ptr<History> file_;
+  Sample before_;
+};
+
+}  // namespace hawser

@@ -1,0 +1,40 @@
+#include "tow_deck.hpp"
+
+#include "hawser/report/report_name.hpp"
+
+namespace hawser {
+
+Spec<TowDeck> TowDeck::spec() {
+  using P = TowDeck;
+  return Spec<P>("tow",
+                 "Reports the positioning errors of a towed cable and the force at its tow point.")
+      .attribute("name", &P::name, absent("none"),
+                 "Start of the names of its quantities and files, NAME_end_error_m and "
+                 "NAME_cable.csv; tells several apart.")
+      .attribute("cable", &P::cable, required(), "Line region of the cable.")
+      .attribute("tow-point", &P::tow_point, required(), "Point region where it is towed.")
+      .attribute("angle", &P::angle, "deg", between(-180, 180),
+                 "Of the tow axis from upstream (+y) toward +x.")
+      .attribute("speed", &P::speed, "m/s", non_negative(),
+                 "Of the tow, for the exact straight-cable values.")
+      .attribute("current", &P::current, "m/s", non_negative(), "Of the water along -y, likewise.")
+      .attribute("track", &P::track, absent("straight on"),
+                 "The <track> that is towed along: the tow axis is its present course, instead of "
+                 "angle and speed.")
+      .child(&P::receivers)
+      .check(check_report_name<P>);
+}
+
+Spec<ReceiversDeck> ReceiversDeck::spec() {
+  using P = ReceiversDeck;
+  return Spec<P>("receivers", "Writes receivers.csv: where each receiver of the cable is.")
+      .attribute("spacing", &P::spacing, "m", positive(), "Between receivers, unstretched.")
+      .attribute("first", &P::first, "m", non_negative(),
+                 "From the tow point to the first receiver, unstretched.")
+      .attribute("times", &P::times, "s", non_negative() && absent("at none"),
+                 "When; between two steps the positions are interpolated.")
+      .attribute("every", &P::every, at_least(0),
+                 "Steps between further entries; 0 for none. With neither, at the end.");
+}
+
+}  // namespace hawser

@@ -1,0 +1,67 @@
+#pragma once
+// Positioning errors of a towed cable and the force at its tow point.
+#include <memory>
+#include <vector>
+
+#include "hawser/report/force.hpp"
+#include "hawser/report/line_geometry.hpp"
+#include "hawser/report/report.hpp"
+#include "receivers.hpp"
+#include "tow_deck.hpp"
+
+namespace hawser {
+
+struct TowMeasures {
+  double end_error = 0;        ///< m: distance of the tail from the tow axis
+  double total_error = 0;      ///< m: mean over the cable's nodes (the paper's equation 8)
+  double total_error_arc = 0;  ///< m: mean along the cable
+  double cable_angle = 0;      ///< degrees, of the line tow point - tail from upstream
+  double length = 0;           ///< m, of the stretched cable
+};
+
+/// Of a cable with its nodes at `positions` [node][dimension], in order from the tow point, seen
+/// from the tow axis, a unit vector; `errors` are the nodes' distances from that axis.
+TowMeasures measure_tow(const std::vector<double>& positions, const std::vector<double>& errors,
+                        std::size_t dimension);
+
+/// Distance of every node from the axis through the first one, m.
+std::vector<double> distances_from_axis(const std::vector<double>& positions,
+                                        const std::vector<double>& axis);
+
+class TowReport : public Report {
+ public:
+  using Parameters = TowDeck;
+  TowReport(const TowDeck& deck, const ReportContext& context, Diagnostics& diagnostics);
+
+  std::vector<Column> columns() const override;
+  void start(const ReportStart& start) override;
+  void write(const Step& step, bool fields_due) override;
+  void save(CheckpointNotes& notes) const override;
+  void resume(const CheckpointNotes& notes) override;
+  void summarise(const Step& last, Summary& summary) const override;
+  std::string closing() const override;
+  const LineGeometry* line() const override { return line_.get(); }
+  void add_fields(const Region& line, const State& state,
+                  std::vector<PointField>& fields) const override;
+
+ private:
+  std::vector<double> measure(const Step& step) override;
+  Force tow_force(const std::vector<double>& reactions, const std::vector<double>& axis) const;
+  /// Unit vector in the plane z = 0 that points where the tow point goes.
+  std::vector<double> axis(double time) const;
+  /// End error of a cable that is straight along the relative flow, m; on a track, of its course
+  /// and speed at that time.
+  double exact_end_error(double length, double time) const;
+
+  const DofMap& dofs_;
+  TowDeck deck_;
+  std::shared_ptr<const Track> track_;  // null: straight on, by the deck's angle and speed
+  std::unique_ptr<LineGeometry> line_;
+  std::unique_ptr<Receivers> receivers_;
+  std::unique_ptr<History> nodes_;
+  TowMeasures last_;
+  double exact_ = 0;                                   // m, the end error at the last step
+  std::vector<std::pair<double, double>> end_errors_;  // time, error
+};
+
+}  // namespace hawser
