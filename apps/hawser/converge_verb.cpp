@@ -6,7 +6,6 @@
 #include "hawser/base/child_process.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/convergence.hpp"
-#include "known_modules.hpp"
 #include "run_options.hpp"
 #include "verb.hpp"
 
@@ -31,16 +30,15 @@ void draw(const std::string& folder, bool is_quiet) {
 
 std::vector<Verb> converge_verbs(CLI::App& app) {
   struct Arguments {
-    std::string deck;
+    std::string deck, plugin_folder;
     ConvergenceOptions options;
   };
   const auto arguments = std::make_shared<Arguments>();
   ConvergenceOptions& options = arguments->options;
-  options.run.plugin_folder = default_plugin_folder();
   auto* verb = app.add_subcommand(
       "converge", "run a deck on ever finer meshes or with ever shorter steps, and report orders");
   verb->add_option("deck", arguments->deck, "XML deck with <error> elements")->required();
-  add_changes(*verb, options.run);
+  add_changes(*verb, options.changes);
   verb->add_option("-o,--output", options.run.output, "folder for the results")->required();
   const std::map<std::string, Refinement> words = {
       {"space", Refinement::space}, {"time", Refinement::time}, {"both", Refinement::both}};
@@ -48,17 +46,17 @@ std::vector<Verb> converge_verbs(CLI::App& app) {
       ->transform(CLI::CheckedTransformer(words));
   verb->add_option("--levels", options.levels, "instead of the deck's <converge levels>")
       ->check(CLI::Range(2, 12));
-  verb->add_option("--plugin-dir", options.run.plugin_folder,
-                   "folder that plug-ins are loaded from");
+  add_plugin_folder(*verb, arguments->plugin_folder);
   verb->add_flag("-f,--force", options.run.force, "write over the results of a finished study");
   verb->add_flag_callback(
       "-q,--quiet", [&options] { options.run.detail = LogDetail::quiet; }, "no table");
   verb->footer("Example: hawser converge DECK -o results/orders --refine space --levels 4");
-  return {{verb, OnRanks([arguments](const Communicator& world) {
-             const Summary result =
-                 converge(world, built_in(), arguments->deck, arguments->options);
+  return {{verb, OnRanks([arguments](Environment& environment) {
+             environment.plugin_folder = arguments->plugin_folder;
+             const Summary result = converge(environment, arguments->deck, arguments->options);
              const RunOptions& of_run = arguments->options.run;
-             if (world.is_root()) draw(of_run.output, of_run.detail == LogDetail::quiet);
+             if (environment.communicator().is_root())
+               draw(of_run.output, of_run.detail == LogDetail::quiet);
              return static_cast<int>(result.number("orders_failed").value_or(0) > 0
                                          ? ExitCode::expectation
                                          : ExitCode::done);

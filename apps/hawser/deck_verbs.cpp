@@ -5,7 +5,7 @@
 #include "hawser/deck/manual.hpp"
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/deck_templates.hpp"
-#include "known_modules.hpp"
+#include "run_options.hpp"
 #include "verb.hpp"
 
 namespace hawser::program {
@@ -14,7 +14,7 @@ namespace {
 struct Arguments {
   std::string what;
   std::vector<std::string> plugins;
-  std::string plugin_folder = default_plugin_folder();
+  std::string plugin_folder;
   bool markdown = false;
 };
 
@@ -23,15 +23,16 @@ std::shared_ptr<Arguments> new_arguments(CLI::App& verb) {
   verb.add_option("--plugin", arguments->plugins,
                   "plug-in whose modules and reports are known, too; repeatable")
       ->allow_extra_args(false);
-  verb.add_option("--plugin-dir", arguments->plugin_folder, "folder that plug-ins are loaded from");
+  add_plugin_folder(verb, arguments->plugin_folder);
   return arguments;
 }
 
-Registries known_to(const Arguments& arguments) {
-  Registries known = built_in();
+/// What is built in, and what the plug-ins have.
+const Registries& known_to(const Arguments& arguments, Environment& environment) {
+  environment.plugin_folder = arguments.plugin_folder;
   for (const std::string& name : arguments.plugins)
-    load_plugin(name, arguments.plugin_folder, known);
-  return known;
+    environment.load_plugin(name);
+  return environment.registries;
 }
 
 int print(const std::string& text) {
@@ -43,8 +44,8 @@ Verb modules_verb(CLI::App& app) {
   auto* verb = app.add_subcommand("modules", "list the physics modules");
   verb->footer("Example: hawser modules --plugin heat");
   const auto arguments = new_arguments(*verb);
-  return {verb, Alone([arguments] {
-            const ModuleRegistry registry = known_to(*arguments).modules;
+  return {verb, Alone([arguments](Environment& environment) {
+            const ModuleRegistry& registry = known_to(*arguments, environment).modules;
             for (const std::string& tag : registry.tags())
               std::printf("%-14s %s\n", tag.c_str(), registry.find(tag)->spec.meaning.c_str());
             return 0;
@@ -58,8 +59,8 @@ Verb describe_verb(CLI::App& app) {
   verb->add_option("path", arguments->what,
                    "path, element, attribute or module: solver/newton, cable");
   verb->add_flag("--markdown", arguments->markdown, "all of it, as doc/deck_reference.md");
-  return {verb, Alone([arguments] {
-            const DeckLanguage language = deck_language(known_to(*arguments));
+  return {verb, Alone([arguments](Environment& environment) {
+            const DeckLanguage language = deck_language(known_to(*arguments, environment));
             return print(arguments->markdown ? deck_reference(language)
                                              : describe(language, arguments->what));
           })};
@@ -70,7 +71,9 @@ Verb schema_verb(CLI::App& app) {
       app.add_subcommand("schema", "print the XML Schema of decks, for editors and xmllint");
   verb->footer("Example: hawser schema --plugin heat > deck.xsd");
   const auto arguments = new_arguments(*verb);
-  return {verb, Alone([arguments] { return print(schema(deck_language(known_to(*arguments)))); })};
+  return {verb, Alone([arguments](Environment& environment) {
+            return print(schema(deck_language(known_to(*arguments, environment))));
+          })};
 }
 
 int print_template(const std::string& name) {
@@ -91,7 +94,7 @@ Verb new_verb(CLI::App& app) {
   verb->footer("Example: hawser new tow > my.xml");
   const auto name = std::make_shared<std::string>();
   verb->add_option("template", *name, "its name; without one, the names are listed");
-  return {verb, Alone([name] { return print_template(*name); })};
+  return {verb, Alone([name](const Environment&) { return print_template(*name); })};
 }
 
 }  // namespace

@@ -98,7 +98,8 @@ std::vector<Verb> info_verbs(CLI::App& app) {
   verb->footer("Example: hawser info results/case_02_quick");
   const auto path = std::make_shared<std::string>();
   verb->add_option("result", *path, "result folder, or checkpoint.h5")->required();
-  return {{verb, OnRanks([path](const Communicator& world) {
+  return {{verb, OnRanks([path](const Environment& environment) {
+             const Communicator& world = environment.communicator();
              const ResultContents contents = read_contents(world, *path);
              if (world.is_root()) print_contents(*path, contents);
              return 0;

@@ -1,11 +1,8 @@
 // The program: one verb per thing a user does (verb.hpp).
-#include <mpi.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
-#include "hawser/algebra/environment.hpp"
 #include "hawser/base/error.hpp"
 #include "man_page.hpp"
 #include "verb.hpp"
@@ -24,41 +21,15 @@ bool is_first_process() {
   return true;
 }
 
-/// One sentence for an error that all processes share, and its exit code.
-template <class Work>
-int guarded(bool speaks, const Work& work) {
-  try {
-    return work();
-  } catch (const Error& error) {
-    if (speaks) std::fprintf(stderr, "%s\n", error.what());
-    return static_cast<int>(error.code());
-  }
-}
-
-int say_our_fault(const std::exception& error) {
-  std::fprintf(stderr, "internal error, please report it: %s\n", error.what());
-  return 1;
-}
-
 int perform(const Alone& action) {
   if (!is_first_process()) return 0;
-  try {
-    return guarded(true, action);
-  } catch (const std::exception& error) {
-    return say_our_fault(error);
-  }
+  Environment environment(MPI_COMM_NULL);
+  return environment.guarded([&] { return action(environment); });
 }
 
 int perform(const OnRanks& action) {
-  const Environment environment;
-  try {
-    const Communicator world(MPI_COMM_WORLD);
-    return guarded(world.is_root(), [&] { return action(world); });
-  } catch (const std::exception& error) {
-    // Not an Error, hence perhaps on this rank only: the others would wait for ever.
-    MPI_Abort(MPI_COMM_WORLD, say_our_fault(error));
-  }
-  return 1;
+  Environment environment;
+  return environment.guarded([&] { return action(environment); });
 }
 
 /// What the command line asks for; help and complaints are actions, too.
@@ -66,10 +37,11 @@ Action read_command_line(CLI::App& app, const std::vector<Verb>& verbs, int argc
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return Alone([&app, error] { return app.exit(error); });
+    if (error.get_exit_code() == 0)
+      return Alone([&app, error](const Environment&) { return app.exit(error); });
     // On ranks: mpirun would end the one that speaks when another one is the first to fail.
-    return OnRanks([&app, error](const Communicator& world) {
-      if (world.is_root()) app.exit(error);
+    return OnRanks([&app, error](const Environment& environment) {
+      if (environment.communicator().is_root()) app.exit(error);
       return static_cast<int>(ExitCode::usage);
     });
   }

@@ -5,8 +5,7 @@
 #include <filesystem>
 
 #include "hawser/base/error.hpp"
-#include "hawser/simulation/simulation.hpp"
-#include "known_modules.hpp"
+#include "hawser/simulation/run.hpp"
 #include "run_options.hpp"
 #include "verb.hpp"
 
@@ -15,6 +14,8 @@ namespace {
 
 struct Arguments {
   std::string file;
+  std::string plugin_folder;
+  CaseOptions of_case;
   RunOptions options;
   bool quiet = false, verbose = false, dry_run = false;
 };
@@ -25,23 +26,36 @@ int exit_code(const Summary& summary) {
                               : ExitCode::done);
 }
 
+int print(const Environment& environment, const std::string& text) {
+  if (environment.communicator().is_root()) std::fputs(text.c_str(), stdout);
+  return 0;
+}
+
 std::shared_ptr<Arguments> new_arguments(CLI::App& verb) {
   auto arguments = std::make_shared<Arguments>();
-  arguments->options.plugin_folder = default_plugin_folder();
-  verb.add_option("--plugin-dir", arguments->options.plugin_folder,
-                  "folder that plug-ins are loaded from");
+  add_plugin_folder(verb, arguments->plugin_folder);
   return arguments;
+}
+
+Case case_of(const Arguments& arguments, Environment& environment) {
+  environment.plugin_folder = arguments.plugin_folder;
+  return Case::from_file(environment, arguments.file, arguments.of_case);
 }
 
 }  // namespace
 
-void add_changes(CLI::App& verb, RunOptions& options) {
+void add_plugin_folder(CLI::App& verb, std::string& folder) {
+  folder = Environment::plugins_beside();
+  verb.add_option("--plugin-dir", folder, "folder that plug-ins are loaded from");
+}
+
+void add_changes(CLI::App& verb, std::vector<DeckChange>& changes) {
   verb.add_option_function<std::vector<std::string>>(
           "--set",
-          [&options](const std::vector<std::string>& changes) {
+          [&changes](const std::vector<std::string>& given) {
             try {
-              for (const std::string& change : changes)
-                options.changes.push_back(read_change(change));
+              for (const std::string& change : given)
+                changes.push_back(read_change(change));
             } catch (const Error& error) {
               throw CLI::ValidationError(error.what());
             }
@@ -55,7 +69,7 @@ namespace {
 void add_run_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("-o,--output", arguments.options.output, "folder for the results");
   verb.add_flag("-f,--force", arguments.options.force, "write over the results of another run");
-  verb.add_option("--end", arguments.options.end, "end time in s, instead of the deck's")
+  verb.add_option("--end", arguments.of_case.end, "end time in s, instead of the deck's")
       ->check(CLI::PositiveNumber);
   auto* quiet = verb.add_flag("-q,--quiet", arguments.quiet, "tell what goes wrong only");
   auto* verbose =
@@ -98,26 +112,21 @@ Verb run_verb(CLI::App& app) {
       "SIGTERM, SIGINT, SIGUSR2: checkpoint and stop, exit code 75. SIGUSR1: checkpoint.");
   const auto arguments = new_arguments(*verb);
   verb->add_option("deck", arguments->file, "XML deck")->required();
-  add_changes(*verb, arguments->options);
+  add_changes(*verb, arguments->of_case.changes);
   add_run_options(*verb, *arguments);
   verb->add_flag("--dry-run", arguments->dry_run,
                  "say what it would take: unknowns, memory, mesh, Courant number");
-  const auto preview = [](const Communicator& world, Simulation simulation) {
-    const std::string text = simulation.preview();
-    if (world.is_root()) std::fputs(text.c_str(), stdout);
-    return 0;
-  };
-  return {verb, OnRanks([arguments, preview](const Communicator& world) {
+  return {verb, OnRanks([arguments](Environment& environment) {
             const RunOptions options = options_of(*arguments);
-            const auto simulation = [&] {
-              return Simulation(world, built_in(), arguments->file, options);
-            };
-            if (arguments->dry_run) return preview(world, simulation());
+            if (arguments->dry_run)
+              return print(environment, preview(case_of(*arguments, environment)));
             if (options.output.empty())
               throw Error(ExitCode::usage,
                           "where to? Give a folder for the results: -o FOLDER\n"
                           "Run with --help for more information.");
-            return told(world, *arguments, [&] { return simulation().run(); });
+            return told(environment.communicator(), *arguments, [&] {
+              return run(case_of(*arguments, environment), options);
+            });
           })};
 }
 
@@ -127,10 +136,11 @@ Verb restart_verb(CLI::App& app) {
   const auto arguments = new_arguments(*verb);
   verb->add_option("checkpoint", arguments->file, "checkpoint.h5 of an earlier run")->required();
   add_run_options(*verb, *arguments);
-  return {verb, OnRanks([arguments](const Communicator& world) {
-            return told(world, *arguments, [&] {
-              return Simulation::restart(world, built_in(), arguments->file, options_of(*arguments))
-                  .run();
+  return {verb, OnRanks([arguments](Environment& environment) {
+            environment.plugin_folder = arguments->plugin_folder;
+            return told(environment.communicator(), *arguments, [&] {
+              return run(Case::from_checkpoint(environment, arguments->file, arguments->of_case),
+ options_of(*arguments));
             });
           })};
 }
@@ -140,13 +150,13 @@ Verb check_verb(CLI::App& app) {
   verb->footer("Example: hawser check inputs/deep_tow/case_02.xml");
   const auto arguments = new_arguments(*verb);
   verb->add_option("deck", arguments->file, "XML deck")->required();
-  add_changes(*verb, arguments->options);
-  return {verb, OnRanks([arguments](const Communicator& world) {
-            const Simulation simulation(world, built_in(), arguments->file, arguments->options);
-            if (world.is_root())
-              std::printf("%s: no faults (names of regions and fields are checked when it runs)\n",
-                          arguments->file.c_str());
-            return 0;
+  add_changes(*verb, arguments->of_case.changes);
+  return {verb, OnRanks([arguments](Environment& environment) {
+            case_of(*arguments, environment);
+            return print(
+                environment,
+                arguments->file +
+                    ": no faults (names of regions and fields are checked when it runs)\n");
           })};
 }
 
@@ -164,20 +174,19 @@ Verb mesh_verb(CLI::App& app) {
   verb->footer("Example: hawser mesh inputs/deep_tow/case_02.xml -o case_02.msh");
   const auto arguments = new_arguments(*verb);
   verb->add_option("deck", arguments->file, "XML deck")->required();
-  add_changes(*verb, arguments->options);
+  add_changes(*verb, arguments->of_case.changes);
   verb->add_option("-o,--output", arguments->options.output, "file for the mesh, MSH 4.1");
   verb->add_flag("-f,--force", arguments->options.force, "replace the file");
-  return {verb, OnRanks([arguments](const Communicator& world) {
+  return {verb, OnRanks([arguments](Environment& environment) {
             const RunOptions& options = arguments->options;
-            Simulation simulation(world, built_in(), arguments->file, options);
-            if (simulation.has_mesh_file() != options.output.empty())
-              throw Error(ExitCode::usage, simulation.has_mesh_file()
+            const Case run_case = case_of(*arguments, environment);
+            if (run_case.has_mesh_file() != options.output.empty())
+              throw Error(ExitCode::usage, run_case.has_mesh_file()
                                                ? "the deck's mesh is a file already; leave out -o"
                                                : "where to? Give a file for the mesh: -o FILE");
-            if (!options.output.empty() && !options.force) refuse_existing(world, options.output);
-            const std::string text = simulation.make_mesh(options.output);
-            if (world.is_root()) std::fputs(text.c_str(), stdout);
-            return 0;
+            if (!options.output.empty() && !options.force)
+              refuse_existing(environment.communicator(), options.output);
+            return print(environment, make_mesh(run_case, options.output));
           })};
 }
 

@@ -8,9 +8,9 @@
 
 #include "figure_script.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/simulation/simulation.hpp"
+#include "hawser/simulation/case.hpp"
 #include "hawser/study/study.hpp"
-#include "known_modules.hpp"
+#include "run_options.hpp"
 #include "verb.hpp"
 
 namespace hawser::program {
@@ -20,20 +20,20 @@ std::filesystem::path this_program() { return std::filesystem::read_symlink("/pr
 
 struct StudyArguments {
   StudyOptions study;
-  std::string plugin_folder = default_plugin_folder();
+  std::string plugin_folder;
 };
 
-int run(const StudyArguments& arguments) {
+int run(const StudyArguments& arguments, Environment& environment) {
+  environment.plugin_folder = arguments.plugin_folder;
   StudyOptions options = arguments.study;
   options.program = this_program().string();
   options.run_arguments = {"--plugin-dir", arguments.plugin_folder};
   const auto resolve = [&](const std::string& deck,
                            const std::vector<std::pair<std::string, std::string>>& values) {
-    RunOptions run;
-    run.plugin_folder = arguments.plugin_folder;
+    CaseOptions of_case;
     for (const auto& [path, value] : values)
-      run.changes.push_back({path, value});
-    return Simulation(Communicator(MPI_COMM_NULL), built_in(), deck, run).resolved_deck();
+      of_case.changes.push_back({path, value});
+    return Case::from_file(environment, deck, of_case).resolved_deck();
   };
   const StudyResult result = run_study(options, resolve);
   if (!options.quiet)
@@ -67,9 +67,9 @@ Verb study_verb(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   verb->add_flag("-f,--force", options.fresh, "run finished cases again");
   verb->add_flag("-q,--quiet", options.quiet, "no progress lines");
-  verb->add_option("--plugin-dir", arguments->plugin_folder,
-                   "folder that plug-ins are loaded from");
-  return {verb, Alone([arguments] { return run(*arguments); })};
+  add_plugin_folder(*verb, arguments->plugin_folder);
+  return {verb,
+          Alone([arguments](Environment& environment) { return run(*arguments, environment); })};
 }
 
 Verb report_verb(CLI::App& app) {
@@ -77,7 +77,7 @@ Verb report_verb(CLI::App& app) {
   const auto folder = std::make_shared<std::string>();
   verb->add_option("folder", *folder, "results of a study")->required();
   verb->footer("Example: hawser report results/study_quick");
-  return {verb, Alone([folder] { return report(*folder); })};
+  return {verb, Alone([folder](const Environment&) { return report(*folder); })};
 }
 
 }  // namespace

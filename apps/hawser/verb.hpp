@@ -7,15 +7,21 @@
 #include <variant>
 #include <vector>
 
-#include "hawser/base/communicator.hpp"
+#include "hawser/simulation/environment.hpp"
 
 namespace hawser::program {
 
-/// On all ranks together, with MPI and Kokkos running. Returns the exit code.
-using OnRanks = std::function<int(const Communicator& world)>;
+/// Returns the exit code.
+using Work = std::function<int(Environment& environment)>;
+/// On all ranks together, with MPI and Kokkos running.
+struct OnRanks : Work {
+  using Work::Work;
+};
 /// In one process without MPI, which is never started: quick, and free to start programs that are
-/// themselves parallel. Returns the exit code.
-using Alone = std::function<int()>;
+/// themselves parallel.
+struct Alone : Work {
+  using Work::Work;
+};
 
 struct Verb {
   CLI::App* command;

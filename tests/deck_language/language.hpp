@@ -6,7 +6,7 @@
 #include "ale_fluid.hpp"
 #include "cable.hpp"
 #include "hawser/simulation/deck_language.hpp"
-#include "hawser/simulation/deck_parameters.hpp"
+#include "hawser/simulation/run_deck.hpp"
 #include "mesh_motion.hpp"
 #include "tow.hpp"
 

@@ -22,6 +22,16 @@ std::optional<std::string> read_text(const std::string& file) {
   return text;
 }
 
+/// Read on rank 0 for all.
+DeckFiles files_of(const Communicator& communicator) {
+  return [&communicator](const std::string& name) {
+    std::optional<std::string> text;
+    if (communicator.is_root()) text = read_text(name);
+    const std::string known = communicator.broadcast(text ? "+" + *text : "-");
+    return known[0] == '+' ? std::optional<std::string>(known.substr(1)) : std::nullopt;
+  };
+}
+
 class Reader {
  public:
   Reader(const DeckFiles& files, const DeckLanguage& language, Diagnostics& diagnostics)
@@ -124,11 +134,15 @@ Deck read_deck(const DeckFiles& files, const std::string& file,
 Deck read_deck(const Communicator& communicator, const std::string& file,
                const std::vector<DeckChange>& changes, const DeckLanguage& language,
                Diagnostics& diagnostics) {
+  return read_deck(files_of(communicator), file, changes, language, diagnostics);
+}
+
+Deck read_deck_text(const Communicator& communicator, const std::string& text,
+                    const std::string& file, const std::vector<DeckChange>& changes,
+                    const DeckLanguage& language, Diagnostics& diagnostics) {
+  const DeckFiles others = files_of(communicator);
   const DeckFiles files = [&](const std::string& name) {
-    std::optional<std::string> text;
-    if (communicator.is_root()) text = read_text(name);
-    const std::string known = communicator.broadcast(text ? "+" + *text : "-");
-    return known[0] == '+' ? std::optional<std::string>(known.substr(1)) : std::nullopt;
+    return name == file ? std::optional<std::string>(text) : others(name);
   };
   return read_deck(files, file, changes, language, diagnostics);
 }

@@ -9,7 +9,7 @@
 #include "hawser/output/result_folder.hpp"
 #include "hawser/report/observed_order.hpp"
 #include "hawser/simulation/deck_language.hpp"
-#include "hawser/simulation/deck_parameters.hpp"
+#include "hawser/simulation/run_deck.hpp"
 #include "src/refinement.hpp"
 
 namespace hawser {
@@ -28,15 +28,15 @@ struct Quantity {
 
 class OrderStudy {
  public:
-  OrderStudy(const Communicator& communicator, const Registries& registries, std::string deck_file,
+  OrderStudy(const Environment& environment, std::string deck_file,
              const ConvergenceOptions& options)
-      : communicator_(communicator),
-        registries_(registries),
+      : environment_(environment),
+        communicator_(environment.communicator()),
         deck_file_(std::move(deck_file)),
         options_(options) {
     Diagnostics diagnostics;
-    const Deck text = read_deck(communicator, deck_file_, options.run.changes,
-                                deck_language(registries), diagnostics);
+    const Deck text = read_deck(communicator_, deck_file_, options.changes,
+                                deck_language(environment.registries), diagnostics);
     deck_ = RunDeck::spec().read(text.root, diagnostics);
     diagnostics.throw_if_any();
     if (deck_.converge) converge_ = *deck_.converge;
@@ -88,10 +88,10 @@ class OrderStudy {
     RunOptions run = options_.run;
     run.output = folder.file(fmt::format("level-{}", level));
     run.detail = LogDetail::quiet;
-    run.expects = false;  // they are about the deck as it stands
+    CaseOptions finer{options_.changes, {}, false};  // expectations are about the deck as it stands
     for (DeckChange& change : refinement(deck_, converge_.refine, level))
-      run.changes.push_back(std::move(change));
-    const Summary summary = Simulation(communicator_, registries_, deck_file_, run).run();
+      finer.changes.push_back(std::move(change));
+    const Summary summary = hawser::run(Case::from_file(environment_, deck_file_, finer), run);
     const auto number = [&](const char* key) { return summary.number(key).value_or(0); };
     rejected_ = rejected_ || number("steps_rejected") > 0;
     std::string line = fmt::format("{},{},{},{},{}", level, std::ldexp(1.0, -level),
@@ -156,8 +156,8 @@ class OrderStudy {
     std::fflush(stdout);
   }
 
+  const Environment& environment_;
   const Communicator& communicator_;
-  const Registries& registries_;
   std::string deck_file_;
   const ConvergenceOptions& options_;
   RunDeck deck_;
@@ -168,9 +168,9 @@ class OrderStudy {
 
 }  // namespace
 
-Summary converge(const Communicator& communicator, const Registries& registries,
-                 const std::string& deck_file, const ConvergenceOptions& options) {
-  return OrderStudy(communicator, registries, deck_file, options).run();
+Summary converge(const Environment& environment, const std::string& deck_file,
+                 const ConvergenceOptions& options) {
+  return OrderStudy(environment, deck_file, options).run();
 }
 
 }  // namespace hawser

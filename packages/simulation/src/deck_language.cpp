@@ -1,6 +1,6 @@
 #include "hawser/simulation/deck_language.hpp"
 
-#include "hawser/simulation/deck_parameters.hpp"
+#include "hawser/simulation/run_deck.hpp"
 
 namespace hawser {
 

@@ -1,4 +1,4 @@
-#include "src/preview.hpp"
+#include "hawser/simulation/run.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -76,7 +76,11 @@ Quality quality_of(const Mesh& mesh) {
 
 }  // namespace
 
-std::string preview(System& system, const RunDeck& deck, double length) {
+std::string preview(const Case& run_case) {
+  Stepper stepper(run_case);
+  System& system = stepper.system();
+  const RunDeck& deck = run_case.deck();
+  const double length = deck.time.step;
   const Communicator& communicator = system.mesh.communicator;
   system.problem->begin_step(length);
   const double courant = inspect_mesh(*system.dofs, system.problem->state()).courant;
@@ -102,7 +106,8 @@ std::string preview(System& system, const RunDeck& deck, double length) {
   return text;
 }
 
-std::string describe_mesh(const Mesh& mesh) {
+std::string make_mesh(const Case& run_case, const std::string& file) {
+  const Mesh mesh = read_mesh(run_case, provide_mesh(run_case, file).file);
   const Quality quality = quality_of(mesh);
   std::string text = fmt::format("{} nodes", mesh.vertices.global_count);
   if (quality.triangles > 0) text += ", " + quality.text();

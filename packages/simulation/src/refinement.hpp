@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "hawser/deck/read_deck.hpp"
-#include "hawser/simulation/deck_parameters.hpp"
+#include "hawser/simulation/run_deck.hpp"
 
 namespace hawser {
 

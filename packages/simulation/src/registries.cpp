@@ -1,8 +1,22 @@
 #include "hawser/simulation/registries.hpp"
 
+#include "ale_fluid.hpp"
+#include "cable.hpp"
 #include "hawser/physics/plugin_loader.hpp"
+#include "mesh_motion.hpp"
+#include "tow.hpp"
 
 namespace hawser {
+
+Registries built_in() {
+  Registries known;
+  register_ale_fluid(known.modules);
+  register_cable(known.modules);
+  register_mesh_motion(known.modules);
+  register_tow(known.reports);
+  register_reports(known.reports);
+  return known;
+}
 
 void load_plugin(const std::string& name, const std::string& folder, Registries& registries) {
   load_plugin(name, folder,

@@ -1,7 +1,6 @@
 #include "src/run_record.hpp"
 
-#include "hawser/output/provenance.hpp"
-#include "hawser/time/state_checkpoint.hpp"
+#include "hawser/simulation/run_deck.hpp"
 
 namespace hawser {
 namespace {
@@ -19,65 +18,36 @@ State state_of(const TimeHistory& history) {
 
 }  // namespace
 
-RunRecord::RunRecord(System& system, const RunCase& run, const ResultFolder& folder,
-                     const std::string& mesh_file, RunLog& log, const CheckpointReader* earlier)
-    : system_(system),
-      run_(run),
-      folder_(folder),
+RunRecord::RunRecord(Stepper& stepper, const ResultFolder& folder, RunLog& log)
+    : folder_(folder),
       log_(log),
-      mesh_file_(std::filesystem::absolute(mesh_file)),
-      step_(earlier ? earlier->header().step : 0),
-      fields_(*system.assembler, system.modules, system.reports->all(), folder.path(),
-              earlier ? step_ : -1) {
-  if (earlier) system.reports->resume(earlier->header());
-  const State state = state_of(system.integrator->history());
-  system.reports->start({folder.path(), state, earlier != nullptr});
+      fields_(*stepper.system().assembler, stepper.system().modules,
+              stepper.system().reports->all(), folder.path(),
+              stepper.run_case().checkpoint() ? stepper.steps() : -1) {
+  const State state = state_of(stepper.system().integrator->history());
+  stepper.system().reports->start(
+      {folder.path(), state, stepper.run_case().checkpoint() != nullptr});
 }
 
-void RunRecord::accepted(const Step& step) {
-  step_ = step.number;
-  last_.emplace(step);
-  system_.reports->accepted(step);
-}
-
-void RunRecord::write(const StepControl& steps) {
+void RunRecord::attempted(Stepper& stepper, const Attempt& attempt) {
+  if (!attempt.accepted) return;
   const auto lap = watch_.lap();
-  const OutputDeck& output = run_.deck.output;
-  const auto due = [&](int every) { return every > 0 && step_ % every == 0; };
-  const bool fields_due = due(output.fields_every) || last_->last;
+  const Step& step = stepper.last();
+  const OutputDeck& output = stepper.run_case().deck().output;
+  const auto due = [&](int every) { return every > 0 && step.number % every == 0; };
+  const bool fields_due = due(output.fields_every) || step.last;
   if (fields_due && fields_.writes()) {
-    fields_.write(step_, last_->end);
-    log_.wrote("fields", step_, last_->end.time);
+    fields_.write(step.number, step.end);
+    log_.wrote("fields", step.number, step.end.time);
   }
-  system_.reports->write(*last_, due(output.history_every) || last_->last, fields_due);
-  if (due(output.checkpoint_every)) save_checkpoint(steps);
+  stepper.system().reports->write(step, due(output.history_every) || step.last, fields_due);
+  if (due(output.checkpoint_every)) save_checkpoint(stepper);
 }
 
-Summary RunRecord::summary() const {
-  Summary result;
-  result.set("title", run_.deck.title);
-  system_.reports->summarise(*last_, result);
-  return result;
-}
-
-std::string RunRecord::save_checkpoint(const StepControl& steps) {
-  CheckpointHeader header;
-  header.step = step_;
-  header.numbers["control_step_s"] = steps.step();
-  header.numbers["control_successes"] = steps.successes();
-  system_.reports->save(header);
-  header.texts["deck"] = run_.text.text;
-  header.texts["deck_file"] = run_.text.file;
-  Summary provenance;
-  add_provenance(system_.mesh.communicator, provenance);
-  header.texts["provenance"] = provenance.object("provenance").json();
-  // A mesh beside the checkpoint is named without its folder, so that both can be moved.
-  const bool beside = mesh_file_.parent_path() == std::filesystem::absolute(folder_.path());
-  header.texts["mesh"] = (beside ? mesh_file_.filename() : mesh_file_).string();
+std::string RunRecord::save_checkpoint(Stepper& stepper) {
   std::string path = folder_.file("checkpoint.h5");
-  save_history(*system_.dofs, system_.integrator->history(), header, path);
-  system_.driver->forget();
-  log_.wrote("checkpoint", step_, system_.integrator->history().time);
+  stepper.save(path);
+  log_.wrote("checkpoint", stepper.steps(), stepper.time());
   return path;
 }
 

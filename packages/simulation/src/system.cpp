@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "hawser/fields/look_up.hpp"
+#include "hawser/simulation/run_deck.hpp"
 
 namespace hawser {
 namespace {
@@ -63,20 +64,11 @@ void check_steady(const System& system, const RunDeck& deck) {
 
 }  // namespace
 
-std::unique_ptr<System> build_system(const Communicator& communicator, RunCase& run,
-                                     const std::string& mesh_file) {
-  const RunDeck& deck = run.deck;
-  auto system = std::make_unique<System>(
-      System{read_mesh(communicator, {mesh_file, deck.mesh.slits, deck.mesh.dimension()}),
-             std::move(run.modules),
-             {},
-             {},
-             {},
-             {},
-             {},
-             {},
-             {},
-             {}});
+std::unique_ptr<System> build_system(const Case& run_case, const std::string& mesh_file) {
+  const RunDeck& deck = run_case.deck();
+  auto system = std::make_unique<System>();
+  system->mesh = read_mesh(run_case, mesh_file);
+  system->modules = run_case.make_modules();
   Diagnostics diagnostics;
   check_regions(system->mesh, system->modules, diagnostics);
   diagnostics.throw_if_any();
@@ -88,7 +80,7 @@ std::unique_ptr<System> build_system(const Communicator& communicator, RunCase& 
   system->conditions = std::make_unique<Conditions>(*system->assembler, system->table.rate_rules,
                                                     deck.conditions, tracks, diagnostics);
   system->reports = std::make_unique<Reports>(
-      run.reports,
+      run_case.reports(),
       ReportContext{*system->assembler, system->modules, system->table.rate_rules, tracks},
       diagnostics);
   diagnostics.throw_if_any();

@@ -11,7 +11,7 @@
 #include "hawser/report/reports.hpp"
 #include "hawser/solve/nonlinear_driver.hpp"
 #include "src/coupled_problem.hpp"
-#include "src/run_case.hpp"
+#include "hawser/simulation/case.hpp"
 
 namespace hawser {
 
@@ -28,10 +28,9 @@ struct System {
   std::unique_ptr<Reports> reports;
 };
 
-/// Takes the case's modules. Collective. MeshError, or DeckError with every name that the mesh or
+/// Collective. MeshError, or DeckError with every name that the mesh or
 /// the modules do not know.
-std::unique_ptr<System> build_system(const Communicator& communicator, RunCase& run,
-                                     const std::string& mesh_file);
+std::unique_ptr<System> build_system(const Case& run_case, const std::string& mesh_file);
 
 /// "velocity y at (x, y) m" for error messages.
 std::string describe_row(const DofMap& dofs, GlobalIndex global_row);

@@ -4,12 +4,14 @@
 #include <string>
 
 #include "hawser/output/summary.hpp"
-#include "hawser/simulation/simulation.hpp"
+#include "hawser/simulation/run.hpp"
+#include "hawser/report/verification_deck.hpp"
 
 namespace hawser {
 
 struct ConvergenceOptions {
   RunOptions run;                      ///< `output` receives a folder per level
+  std::vector<DeckChange> changes{};   ///< of the deck
   std::optional<Refinement> refine{};  ///< instead of the deck's
   std::optional<int> levels{};         ///< likewise
 };
@@ -17,7 +19,7 @@ struct ConvergenceOptions {
 /// Runs all levels one after the other, prints a table, writes converge.json and converge.csv, and
 /// returns what converge.json says; "orders_failed" counts the <order> elements that do not hold.
 /// Collective; any Error on all ranks.
-Summary converge(const Communicator& communicator, const Registries& registries,
-                 const std::string& deck_file, const ConvergenceOptions& options);
+Summary converge(const Environment& environment, const std::string& deck_file,
+                 const ConvergenceOptions& options);
 
 }  // namespace hawser

@@ -14,6 +14,8 @@ struct TimeDeck : StepOptions {
   bool euler_start = true;
   Location location;
   bool steady() const { return method == TimeScheme::Method::steady; }
+  /// One steady solve: there is no shorter step to try; load steps have one.
+  bool single_solve() const { return steady() && step == end; }
   TimeScheme scheme() const;
   static Spec<TimeDeck> spec();
 };

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-#include "src/run_log.hpp"
+#include "hawser/log/run_log.hpp"
 #include "src/terminal.hpp"
 
 namespace hawser {
@@ -14,7 +14,7 @@ class ConsoleLog : public RunLog {
       : detail_(detail), start_(std::chrono::steady_clock::now()) {}
 
   void note(const std::string& sentence) override;
-  void start(const System& system, const RunDeck& deck, const std::string& folder) override;
+  void start(const RunHeading& heading) override;
   void solved(const NonlinearReport& report) override;
   void rejected(double time, double length, const std::string& why) override;
   void stepped(const Step& step, const MeshFigures& mesh, double end) override;

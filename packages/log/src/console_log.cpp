@@ -21,17 +21,14 @@ void ConsoleLog::note(const std::string& sentence) {
   if (tells()) terminal_.line(sentence);
 }
 
-void ConsoleLog::start(const System& system, const RunDeck& deck, const std::string& folder) {
-  folder_ = folder;
+void ConsoleLog::start(const RunHeading& heading) {
+  folder_ = heading.folder;
   start_ = std::chrono::steady_clock::now();
   if (!tells()) return;
-  if (!deck.title.empty()) terminal_.line(deck.title);
-  std::vector<std::string> modules;
-  for (const PhysicsModule& module : system.modules)
-    modules.push_back(module.name);
+  if (!heading.title.empty()) terminal_.line(heading.title);
   terminal_.line(fmt::format("{} nodes, {} unknowns, {} rank(s); modules: {}",
-                             system.mesh.vertices.global_count, system.dofs->global_count(),
-                             system.mesh.communicator.size(), listed(modules)));
+                             heading.nodes, heading.unknowns, heading.ranks,
+                             listed(heading.modules)));
 }
 
 void ConsoleLog::solved(const NonlinearReport& report) {

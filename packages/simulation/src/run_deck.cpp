@@ -1,4 +1,4 @@
-#include "hawser/simulation/deck_parameters.hpp"
+#include "hawser/simulation/run_deck.hpp"
 
 namespace hawser {
 

@@ -2,14 +2,14 @@
 // The run for programs: one JSON object per line, each with an "event"; numbers in SI, keys end in
 // the unit (doc/running.md lists them).
 
-#include "src/run_log.hpp"
+#include "hawser/log/run_log.hpp"
 
 namespace hawser {
 
 class JsonLog : public RunLog {
  public:
   void note(const std::string& sentence) override;
-  void start(const System& system, const RunDeck& deck, const std::string& folder) override;
+  void start(const RunHeading& heading) override;
   void solved(const NonlinearReport& report) override;
   void rejected(double time, double length, const std::string& why) override;
   void stepped(const Step& step, const MeshFigures& mesh, double end) override;

@@ -5,17 +5,33 @@
 
 #include "hawser/output/summary.hpp"
 #include "hawser/report/expectations.hpp"
-#include "hawser/simulation/simulation.hpp"
-#include "src/system.hpp"
+#include "hawser/report/mesh_monitor.hpp"
+#include "hawser/report/report.hpp"
+#include "hawser/solve/nonlinear_driver.hpp"
 
 namespace hawser {
+
+enum class LogDetail {
+  quiet,      ///< what went wrong only
+  steps,      ///< a line per step
+  iterations  ///< and one per Newton iteration and output
+};
+
+/// What a run is, before its first step.
+struct RunHeading {
+  std::string title, folder;  ///< of the deck; of the results
+  int ranks = 1;
+  long long nodes = 0, unknowns = 0;
+  std::vector<std::string> modules;
+  double time = 0, end = 0;  ///< s, at which it begins and is to end
+};
 
 /// Called on all ranks; rank 0 tells, on standard output.
 class RunLog {
  public:
   virtual ~RunLog() = default;
   virtual void note(const std::string& sentence) = 0;
-  virtual void start(const System& system, const RunDeck& deck, const std::string& folder) = 0;
+  virtual void start(const RunHeading& heading) = 0;
   /// Newton's method for the step that is told next.
   virtual void solved(const NonlinearReport& report) = 0;
   virtual void rejected(double time, double length, const std::string& why) = 0;
@@ -27,6 +43,8 @@ class RunLog {
                       const Summary& summary) = 0;
 };
 
-std::unique_ptr<RunLog> make_run_log(const Communicator& communicator, const RunOptions& options);
+/// Text for a person, or one JSON object per line.
+std::unique_ptr<RunLog> make_run_log(const Communicator& communicator, LogDetail detail,
+                                     bool json);
 
 }  // namespace hawser

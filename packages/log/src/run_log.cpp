@@ -1,4 +1,4 @@
-#include "src/run_log.hpp"
+#include "hawser/log/run_log.hpp"
 
 #include "src/console_log.hpp"
 #include "src/json_log.hpp"
@@ -10,8 +10,7 @@ namespace {
 class NoLog : public RunLog {
  public:
   void note(const std::string& /*sentence*/) override {}
-  void start(const System& /*system*/, const RunDeck& /*deck*/,
-             const std::string& /*folder*/) override {}
+  void start(const RunHeading& /*heading*/) override {}
   void solved(const NonlinearReport& /*report*/) override {}
   void rejected(double /*time*/, double /*length*/, const std::string& /*why*/) override {}
   void stepped(const Step& /*step*/, const MeshFigures& /*mesh*/, double /*end*/) override {}
@@ -22,10 +21,11 @@ class NoLog : public RunLog {
 
 }  // namespace
 
-std::unique_ptr<RunLog> make_run_log(const Communicator& communicator, const RunOptions& options) {
+std::unique_ptr<RunLog> make_run_log(const Communicator& communicator, LogDetail detail,
+                                     bool json) {
   if (!communicator.is_root()) return std::make_unique<NoLog>();
-  if (options.log_json) return std::make_unique<JsonLog>();
-  return std::make_unique<ConsoleLog>(options.detail);
+  if (json) return std::make_unique<JsonLog>();
+  return std::make_unique<ConsoleLog>(detail);
 }
 
 }  // namespace hawser

@@ -19,21 +19,18 @@ void tell(const Json& event) {
 
 void JsonLog::note(const std::string& sentence) { tell({{"event", "note"}, {"text", sentence}}); }
 
-void JsonLog::start(const System& system, const RunDeck& deck, const std::string& folder) {
-  folder_ = folder;
-  Json modules = Json::array();
-  for (const PhysicsModule& module : system.modules)
-    modules.push_back(module.name);
+void JsonLog::start(const RunHeading& heading) {
+  folder_ = heading.folder;
   tell({{"event", "start"},
         {"version", HAWSER_VERSION},
-        {"title", deck.title},
-        {"folder", folder},
-        {"ranks", system.mesh.communicator.size()},
-        {"nodes", system.mesh.vertices.global_count},
-        {"unknowns", system.dofs->global_count()},
-        {"modules", modules},
-        {"time_s", system.integrator->history().time},
-        {"end_s", deck.time.end}});
+        {"title", heading.title},
+        {"folder", heading.folder},
+        {"ranks", heading.ranks},
+        {"nodes", heading.nodes},
+        {"unknowns", heading.unknowns},
+        {"modules", heading.modules},
+        {"time_s", heading.time},
+        {"end_s", heading.end}});
 }
 
 void JsonLog::solved(const NonlinearReport& report) { newton_ = report; }

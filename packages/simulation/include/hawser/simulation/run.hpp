@@ -1,0 +1,30 @@
+#pragma once
+// Stable: part of the interface for programs that embed Hawser (doc/embedding.md).
+#include <string>
+
+#include "hawser/log/run_log.hpp"
+#include "hawser/output/summary.hpp"
+#include "hawser/simulation/case.hpp"
+
+namespace hawser {
+
+struct RunOptions {
+  std::string output{};  ///< result folder; that of the checkpoint when empty
+  bool force = false;    ///< write over the results of another run
+  LogDetail detail = LogDetail::steps;
+  bool log_json = false;  ///< one JSON object per line instead of text
+};
+
+/// Steps to the end as the program does: results in a folder, a log on standard output, signals
+/// obeyed (base/signals.hpp). Returns what summary.json says. Collective; any Error on all ranks.
+Summary run(const Case& run_case, const RunOptions& options);
+
+/// What a run would need: unknowns, memory, mesh quality, Courant number. Writes nothing.
+/// Collective; the text is rank 0's.
+std::string preview(const Case& run_case);
+
+/// Makes the case's mesh as `file`, unless it is a file already, and says what it is like.
+/// Collective; MeshError on all ranks.
+std::string make_mesh(const Case& run_case, const std::string& file);
+
+}  // namespace hawser

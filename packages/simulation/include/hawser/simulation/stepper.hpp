@@ -1,0 +1,111 @@
+#pragma once
+// Stable: part of the interface for programs that embed Hawser (doc/embedding.md).
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hawser/base/stopwatch.hpp"
+#include "hawser/output/summary.hpp"
+#include "hawser/simulation/case.hpp"
+#include "hawser/solve/nonlinear_driver.hpp"
+
+namespace hawser {
+
+class ScratchFolder;
+class StepControl;
+class Stepper;
+struct Step;
+struct System;
+
+/// One attempt at a step.
+struct Attempt {
+  bool accepted = false;
+  std::string why{};   ///< it was not
+  double length = 0;   ///< s
+  double time = 0;     ///< s, at which the stepper stands after it
+  std::optional<double> local_error{};  ///< relative, of the time scheme; none in the first steps
+  NonlinearReport newton{};             ///< empty where there is no solution
+};
+
+/// What looks on while a stepper steps, such as results on disk or a log.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// After every attempt, on all ranks together; an accepted one has been measured by the reports.
+  virtual void attempted(Stepper& stepper, const Attempt& attempt) = 0;
+};
+
+/// A field at the nodes that this rank owns; over all ranks each node occurs once.
+struct FieldValues {
+  std::string unit{};
+  int components = 1;
+  int dimension = 2;
+  std::vector<long long> ids{};     ///< rank-independent numbers of the nodes
+  std::vector<double> positions{};  ///< [node][dimension], m, on the reference mesh
+  std::vector<double> values{};     ///< [node][component]
+};
+
+/// A case being stepped through time. Everything is built at the start; nothing is written but what
+/// save() is asked to. All members are collective unless said otherwise.
+class Stepper {
+ public:
+  /// A mesh that must be made is made in a folder that is gone with the stepper. MeshError, or
+  /// DeckError with every name that the mesh or the modules do not know.
+  explicit Stepper(const Case& run_case);
+  /// With a mesh that provide_mesh() gave.
+  Stepper(const Case& run_case, const std::string& mesh_file);
+  ~Stepper();
+  Stepper(const Stepper&) = delete;
+  Stepper& operator=(const Stepper&) = delete;
+
+  bool finished() const;
+  double time() const;             ///< s, of the last accepted state
+  int steps() const;               ///< accepted, those before a restart included
+  /// Tries one step; the next one is shorter when it was not accepted. SolveError when there is no
+  /// shorter one; the last accepted state stays as it is.
+  Attempt advance();
+
+  /// `observer` must outlive the stepper, or be told of nothing more. Called in this order.
+  void observe(Observer& observer) { observers_.push_back(&observer); }
+
+  /// Of the last accepted state. DeckError when no module solves for it. Not collective.
+  FieldValues field(const std::string& name) const;
+  /// Figures of all reports in the last accepted step, by the names they have in summary.json; none
+  /// before the first. Not collective.
+  std::vector<std::pair<std::string, double>> quantities() const;
+  std::optional<double> quantity(const std::string& name) const;
+  /// What the reports say of the run so far; a step is needed.
+  Summary summary() const;
+
+  /// The last accepted state, for Case::from_checkpoint; a mesh that was made for this stepper is
+  /// laid beside it. A restarted run begins without a Jacobian or factor; to be equal to it, this
+  /// one goes on without them, too. OutputError.
+  void save(const std::string& checkpoint);
+
+  // Not stable: for what looks inside.
+  const Case& run_case() const { return case_; }
+  System& system() { return *system_; }
+  const System& system() const { return *system_; }
+  const Step& last() const { return *last_; }  ///< accepted
+  double newton_seconds() const { return newton_watch_.seconds(); }
+
+ private:
+  void build(const std::string& mesh_file);
+  NonlinearReport solve(double length);
+  void accept(const Attempt& attempt);
+  Attempt told(Attempt attempt);
+
+  Case case_;
+  std::unique_ptr<ScratchFolder> scratch_;  // of a mesh made here
+  std::string mesh_file_;
+  std::unique_ptr<System> system_;
+  std::unique_ptr<StepControl> control_;
+  std::unique_ptr<Step> last_;
+  int number_ = 0;
+  std::vector<Observer*> observers_;
+  Stopwatch newton_watch_;
+};
+
+}  // namespace hawser

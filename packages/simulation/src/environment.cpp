@@ -1,0 +1,56 @@
+#include "hawser/simulation/environment.hpp"
+
+#include <Tpetra_Core.hpp>
+
+#include <cstdio>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/installation.hpp"
+
+namespace hawser {
+namespace {
+
+bool start() {
+  if (Tpetra::isInitialized()) return false;
+  int no_arguments = 0;  // the program's are not Kokkos'
+  char** none = nullptr;
+  Tpetra::initialize(&no_arguments, &none);
+  return true;
+}
+
+}  // namespace
+
+Environment::Environment() : Environment(MPI_COMM_WORLD) {}
+
+Environment::Environment(MPI_Comm adopted)
+    : registries(built_in()),
+      plugin_folder(plugins_beside()),
+      owns_kokkos_(adopted != MPI_COMM_NULL && start()),
+      communicator_(adopted) {}
+
+Environment::~Environment() {
+  if (owns_kokkos_) Tpetra::finalize();
+}
+
+std::string Environment::plugins_beside() {
+  return (installation_folder() / "lib/hawser/plugins").string();
+}
+
+void Environment::load_plugin(const std::string& name) {
+  communicator_.together([&] { hawser::load_plugin(name, plugin_folder, registries); });
+}
+
+int Environment::guarded(const std::function<int()>& work) const {
+  try {
+    return work();
+  } catch (const Error& error) {
+    if (communicator_.is_root()) std::fprintf(stderr, "%s\n", error.what());
+    return static_cast<int>(error.code());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "internal error, please report it: %s\n", error.what());
+    if (communicator_.mpi() != MPI_COMM_NULL) MPI_Abort(communicator_.mpi(), 1);
+    return 1;
+  }
+}
+
+}  // namespace hawser

@@ -1,0 +1,137 @@
+#include "hawser/simulation/run.hpp"
+
+#include <filesystem>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/signals.hpp"
+#include "hawser/output/provenance.hpp"
+#include "src/run_record.hpp"
+
+namespace hawser {
+namespace {
+
+/// Tells a log what a stepper does.
+class Teller : public Observer {
+ public:
+  explicit Teller(RunLog& log) : log_(log) {}
+
+  void attempted(Stepper& stepper, const Attempt& attempt) override {
+    if (!attempt.newton.history.empty()) log_.solved(attempt.newton);
+    if (!attempt.accepted) return log_.rejected(attempt.time, attempt.length, attempt.why);
+    log_.stepped(stepper.last(), stepper.system().reports->mesh_figures(),
+                 stepper.run_case().deck().time.end);
+  }
+
+ private:
+  RunLog& log_;
+};
+
+/// A restarted run continues the results beside its checkpoint; elsewhere it needs --force, like
+/// any run, to replace others.
+ExistingResults existing_results(const Case& run_case, const std::string& output, bool force) {
+  std::error_code none;
+  if (run_case.checkpoint() && std::filesystem::equivalent(output, run_case.home(), none))
+    return ExistingResults::go_on;
+  return force ? ExistingResults::replace : ExistingResults::keep;
+}
+
+/// In the order in which things are made: what comes while the mesh is made is obeyed afterwards.
+class Run {
+ public:
+  Run(const Case& run_case, const std::string& output, const RunOptions& options)
+      : case_(run_case),
+        signals_(run_case.communicator()),
+        folder_(run_case.communicator(), output, existing_results(run_case, output, options.force)),
+        log_(make_run_log(run_case.communicator(), options.detail, options.log_json)),
+        teller_(*log_) {
+    const auto lap = setup_watch_.lap();
+    const ProvidedMesh mesh = provide_mesh(case_, folder_.file("mesh.msh"));
+    if (!mesh.made.empty()) log_->note(mesh.made);
+    stepper_ = std::make_unique<Stepper>(case_, mesh.file);
+    record_ = std::make_unique<RunRecord>(*stepper_, folder_, *log_);
+    stepper_->observe(teller_);
+    stepper_->observe(*record_);
+    folder_.write("resolved.xml", case_.resolved_deck());
+    log_->start(heading());
+  }
+
+  Summary to_the_end() {
+    step_to_the_end();
+    Summary summary = stepper_->summary();
+    add_timings(summary);
+    add_provenance(case_.communicator(), summary);
+    summary.object("provenance").set("deck", case_.text().file);
+    const std::vector<Judgement> judgements = judge(case_.deck().expectations, summary);
+    add_judgements(judgements, summary);
+    summary.write(case_.communicator(), folder_.file("summary.json"));
+    log_->finish(stepper_->system().reports->closing(), judgements, summary);
+    return summary;
+  }
+
+ private:
+  RunHeading heading() const {
+    const System& system = stepper_->system();
+    RunHeading heading{case_.deck().title,        folder_.path(),
+                       case_.communicator().size(), system.mesh.vertices.global_count,
+                       system.dofs->global_count(), {},
+                       stepper_->time(),            case_.deck().time.end};
+    for (const PhysicsModule& module : system.modules)
+      heading.modules.push_back(module.name);
+    return heading;
+  }
+
+  void step_to_the_end() {
+    const auto lap = run_watch_.lap();
+    while (!stepper_->finished()) {
+      obey(signals_.take());
+      try {
+        stepper_->advance();
+      } catch (const SolveError& error) {
+        if (case_.deck().time.single_solve()) throw;
+        throw SolveError(std::string(error.what()) + ", the last accepted state is in " +
+                         record_->save_checkpoint(*stepper_));
+      }
+    }
+  }
+
+  void obey(const Request& request) {
+    if (request.kind == Request::Kind::none) return;
+    const std::string checkpoint = record_->save_checkpoint(*stepper_);
+    const std::string time = "t = " + write_value(stepper_->time()) + " s";
+    if (request.kind == Request::Kind::checkpoint)
+      return log_->note(request.signal + ": checkpoint of " + time + " in " + checkpoint);
+    throw Error(ExitCode::stopped,
+                "stopped by " + request.signal + " at " + time + "; go on with: hawser restart " +
+                    checkpoint + (case_.end() ? " --end " + write_value(*case_.end()) : ""));
+  }
+
+  void add_timings(Summary& summary) const {
+    const CoupledProblem& problem = *stepper_->system().problem;
+    Summary& timings = summary.object("timings");
+    timings.set("setup_s", setup_watch_.seconds());
+    timings.set("residual_s", problem.residual_seconds());
+    timings.set("tangent_s", problem.tangent_seconds());
+    timings.set("linear_solve_s", stepper_->newton_seconds() - problem.residual_seconds() -
+                                      problem.tangent_seconds());
+    timings.set("output_s", record_->seconds());
+    summary.set("wall_s", setup_watch_.seconds() + run_watch_.seconds());
+  }
+
+  const Case& case_;
+  const Signals signals_;
+  const ResultFolder folder_;
+  const std::unique_ptr<RunLog> log_;
+  Teller teller_;
+  std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<RunRecord> record_;
+  Stopwatch setup_watch_, run_watch_;
+};
+
+}  // namespace
+
+Summary run(const Case& run_case, const RunOptions& options) {
+  return Run(run_case, options.output.empty() ? run_case.home() : options.output, options)
+      .to_the_end();
+}
+
+}  // namespace hawser

@@ -1,0 +1,181 @@
+#include "hawser/simulation/stepper.hpp"
+
+#include <Tpetra_Vector.hpp>
+
+#include <filesystem>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/scratch_folder.hpp"
+#include "hawser/fields/look_up.hpp"
+#include "hawser/output/provenance.hpp"
+#include "hawser/time/state_checkpoint.hpp"
+#include "hawser/time/step_control.hpp"
+#include "src/system.hpp"
+
+namespace hawser {
+
+Stepper::Stepper(const Case& run_case)
+    : case_(run_case), scratch_(std::make_unique<ScratchFolder>(run_case.communicator())) {
+  const ProvidedMesh mesh = provide_mesh(case_, scratch_->path() + "/mesh.msh");
+  if (mesh.made.empty()) scratch_.reset();
+  build(mesh.file);
+}
+
+Stepper::Stepper(const Case& run_case, const std::string& mesh_file) : case_(run_case) {
+  build(mesh_file);
+}
+
+Stepper::~Stepper() = default;
+
+void Stepper::build(const std::string& mesh_file) {
+  mesh_file_ = std::filesystem::absolute(mesh_file).string();
+  system_ = build_system(case_, mesh_file);
+  const TimeDeck& time_deck = case_.deck().time;
+  control_ = std::make_unique<StepControl>(
+      time_deck, time_deck.steady() ? std::vector<double>() : system_->conditions->events());
+  const CheckpointReader* const checkpoint = case_.checkpoint();
+  if (checkpoint == nullptr) return;
+  const CheckpointHeader& header = checkpoint->header();
+  system_->integrator->resume(load_history(*system_->dofs, *checkpoint));
+  control_->resume(header.numbers.at("control_step_s"),
+                   static_cast<int>(header.numbers.at("control_successes")));
+  system_->reports->resume(header);
+  number_ = header.step;
+}
+
+bool Stepper::finished() const { return control_->finished(time()); }
+double Stepper::time() const { return system_->integrator->history().time; }
+int Stepper::steps() const { return number_; }
+
+/// SolveError when there is no solution to be had.
+NonlinearReport Stepper::solve(double length) {
+  const auto lap = newton_watch_.lap();
+  CoupledProblem& problem = *system_->problem;
+  problem.begin_step(length);
+  TpetraVector x(problem.system().rows);
+  problem.copy_guess(x);
+  NonlinearReport report = system_->driver->solve(x);
+  problem.finish_step(x);
+  return report;
+}
+
+void Stepper::accept(const Attempt& attempt) {
+  CoupledProblem& problem = *system_->problem;
+  problem.accept();
+  last_.reset(new Step{++number_, attempt.length, finished(), attempt.local_error,
+                       attempt.newton.iterations, attempt.newton.linear_iterations, problem.end(),
+                       problem.state(), problem.reactions()});
+  system_->reports->accepted(*last_);
+}
+
+Attempt Stepper::told(Attempt attempt) {
+  attempt.time = time();
+  if (!attempt.accepted) system_->reports->rejected();
+  for (Observer* const observer : observers_)
+    observer->attempted(*this, attempt);
+  return attempt;
+}
+
+Attempt Stepper::advance() {
+  Attempt attempt;
+  attempt.length = control_->next(time(), system_->integrator->history().step);
+  try {
+    attempt.newton = solve(attempt.length);
+  } catch (const SolveError& error) {
+    attempt.why = error.what();
+    attempt = told(std::move(attempt));
+    if (case_.deck().time.single_solve()) throw;
+    if (control_->rejected(attempt.length)) return attempt;
+    throw SolveError(attempt.why + "; the least step was reached");
+  }
+  attempt.local_error = system_->integrator->local_error(system_->problem->state());
+  const StepOutcome outcome{attempt.local_error, attempt.newton.iterations};
+  if (control_->is_too_inaccurate(outcome) && control_->rejected(attempt.length, outcome)) {
+    attempt.why = "local error " + write_value(*attempt.local_error);
+    return told(std::move(attempt));
+  }
+  control_->accepted(attempt.length, outcome);
+  attempt.accepted = true;
+  accept(attempt);
+  return told(std::move(attempt));
+}
+
+Summary Stepper::summary() const {
+  Summary result;
+  result.set("title", case_.deck().title);
+  system_->reports->summarise(*last_, result);
+  return result;
+}
+
+std::vector<std::pair<std::string, double>> Stepper::quantities() const {
+  std::vector<std::pair<std::string, double>> result;
+  if (!last_) return result;
+  for (const auto& report : system_->reports->all()) {
+    const std::vector<Column> columns = report->columns();
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      result.emplace_back(quantity_name(columns[i]), report->values()[i]);
+  }
+  return result;
+}
+
+std::optional<double> Stepper::quantity(const std::string& name) const {
+  for (const auto& [known, value] : quantities())
+    if (known == name) return value;
+  return std::nullopt;
+}
+
+FieldValues Stepper::field(const std::string& name) const {
+  const DofMap& dofs = *system_->dofs;
+  Diagnostics diagnostics;
+  const int field = find_field(dofs, {name, {}}, diagnostics);
+  diagnostics.throw_if_any();
+  const FieldDescription& known = dofs.fields()[static_cast<std::size_t>(field)];
+  const auto dimension = static_cast<std::size_t>(dofs.mesh().dimension);
+  const std::vector<double>& value = system_->integrator->history().value;
+  const PointSet& corners = known.split ? dofs.mesh().split_vertices : dofs.mesh().vertices;
+  FieldValues result{known.unit, known.components, dofs.mesh().dimension, {}, {}, {}};
+  for (LocalIndex row = 0; row < dofs.owned(); ++row) {
+    const RowInfo& info = dofs.info(row);
+    if (info.field != field || info.component != 0) continue;
+    // Midpoints of edges are numbered after the vertices.
+    const bool on_edge = info.kind == PointKind::edge;
+    result.ids.push_back(dofs.point_id(row) + (on_edge ? corners.global_count : 0));
+    double x[3];
+    dofs.position(row, x);
+    result.positions.insert(result.positions.end(), x, x + dimension);
+    for (int c = 0; c < known.components; ++c)
+      result.values.push_back(value[static_cast<std::size_t>(row + c)]);
+  }
+  return result;
+}
+
+void Stepper::save(const std::string& checkpoint) {
+  namespace fs = std::filesystem;
+  const Communicator& communicator = case_.communicator();
+  const fs::path folder = fs::absolute(checkpoint).parent_path();
+  fs::path mesh = mesh_file_;
+  if (scratch_) {
+    mesh = fs::absolute(checkpoint).replace_extension(".msh");
+    communicator.on_root([&] {
+      std::error_code failed;
+      fs::copy_file(mesh_file_, mesh, fs::copy_options::overwrite_existing, failed);
+      if (failed) throw OutputError("cannot write " + mesh.string() + ": " + failed.message());
+    });
+  }
+  CheckpointHeader header;
+  header.step = number_;
+  header.numbers["control_step_s"] = control_->step();
+  header.numbers["control_successes"] = control_->successes();
+  system_->reports->save(header);
+  header.texts["deck"] = case_.text().text;
+  header.texts["deck_file"] = case_.text().file;
+  Summary provenance;
+  add_provenance(communicator, provenance);
+  header.texts["provenance"] = provenance.object("provenance").json();
+  // A mesh beside the checkpoint is named without its folder, so that both can be moved.
+  header.texts["mesh"] = (mesh.parent_path() == folder ? mesh.filename() : mesh).string();
+  save_history(*system_->dofs, system_->integrator->history(), header, checkpoint);
+  system_->driver->forget();
+}
+
+}  // namespace hawser
