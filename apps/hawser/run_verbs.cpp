@@ -124,9 +124,8 @@ Verb run_verb(CLI::App& app) {
               throw Error(ExitCode::usage,
                           "where to? Give a folder for the results: -o FOLDER\n"
                           "Run with --help for more information.");
-            return told(environment.communicator(), *arguments, [&] {
-              return run(case_of(*arguments, environment), options);
-            });
+            return told(environment.communicator(), *arguments,
+                        [&] { return run(case_of(*arguments, environment), options); });
           })};
 }
 
@@ -140,7 +139,7 @@ Verb restart_verb(CLI::App& app) {
             environment.plugin_folder = arguments->plugin_folder;
             return told(environment.communicator(), *arguments, [&] {
               return run(Case::from_checkpoint(environment, arguments->file, arguments->of_case),
- options_of(*arguments));
+                         options_of(*arguments));
             });
           })};
 }

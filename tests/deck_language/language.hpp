@@ -3,25 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "ale_fluid.hpp"
-#include "cable.hpp"
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/run_deck.hpp"
-#include "mesh_motion.hpp"
-#include "tow.hpp"
 
 namespace hawser {
 
 inline const Registries& known() {
-  static const Registries registries = [] {
-    Registries result;
-    register_ale_fluid(result.modules);
-    register_cable(result.modules);
-    register_mesh_motion(result.modules);
-    register_tow(result.reports);
-    register_reports(result.reports);
-    return result;
-  }();
+  static const Registries registries = built_in();
   return registries;
 }
 

@@ -1,58 +1,33 @@
 #pragma once
-// A deck that is stepped by hand: what the program does, with every number within reach.
-#include <Tpetra_Vector.hpp>
+// A deck that is stepped by hand, with every number within reach.
 #include <gtest/gtest.h>
 
-#include <memory>
+#include <limits>
 #include <string>
 
-#include "ale_fluid.hpp"
-#include "cable.hpp"
-#include "hawser/physics/module_registry.hpp"
-#include "mesh_motion.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/simulation/stepper.hpp"
 #include "src/system.hpp"
 
 namespace hawser {
 
 class DeckRun {
  public:
-  explicit DeckRun(const std::string& text) {
-    Diagnostics diagnostics;
-    const Deck parsed = parse_deck(text, "test.xml", diagnostics);
-    deck_ = RunDeck::spec().read(parsed.root, diagnostics);
-    if (deck_.time.steady()) deck_.time.step = std::min(deck_.time.step, deck_.time.end);
-    ModuleRegistry registry;
-    register_ale_fluid(registry);
-    register_cable(registry);
-    register_mesh_motion(registry);
-    std::vector<PhysicsModule> modules;
-    for (const DeckNode& node : deck_.modules.modules)
-      modules.push_back(registry.find(node.tag)->make(node, {deck_.mesh.dimension()}, diagnostics));
-    diagnostics.throw_if_any();
-    const Communicator all;
-    deck_.mesh.generate(all, "deck_run.msh");
-    RunCase run{parsed, deck_, std::move(modules), {}};
-    system_ = build_system(all, run, "deck_run.msh");
-  }
+  explicit DeckRun(const std::string& text) : stepper_(Case::from_text(environment_, text)) {}
 
-  System& system() { return *system_; }
-  const DofMap& dofs() const { return *system_->dofs; }
+  System& system() { return stepper_.system(); }
+  const DofMap& dofs() const { return *stepper_.system().dofs; }
   /// Where the last step's equations stand, and its end.
-  State& state() { return system_->problem->state(); }
-  const State& end() const { return system_->problem->end(); }
+  State& state() { return system().problem->state(); }
+  const State& end() const { return stepper_.system().problem->end(); }
 
   /// Other values or rates at the start than the deck's.
-  void start_from(const State& initial) { system_->integrator->start(initial); }
+  void start_from(const State& initial) { system().integrator->start(initial); }
 
-  NonlinearReport step() { return step(deck_.time.step); }
-  NonlinearReport step(double length) {
-    CoupledProblem& problem = *system_->problem;
-    problem.begin_step(length);
-    const auto x = problem.guess();
-    const NonlinearReport report = system_->driver->solve(*x);
-    problem.finish_step(*x);
-    problem.accept();
-    return report;
+  NonlinearReport step(double longest = std::numeric_limits<double>::infinity()) {
+    const Attempt attempt = stepper_.advance(longest);
+    if (!attempt.accepted) throw SolveError(attempt.why);
+    return attempt.newton;
   }
 
   /// Calls visit(row, X, d) for the first row of `field` at each of its nodes on a region, with the
@@ -94,8 +69,8 @@ class DeckRun {
   }
 
  private:
-  RunDeck deck_;
-  std::unique_ptr<System> system_;
+  Environment environment_;
+  Stepper stepper_;
 };
 
 }  // namespace hawser

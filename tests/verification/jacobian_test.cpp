@@ -6,13 +6,10 @@
 #include <map>
 #include <random>
 
-#include "ale_fluid.hpp"
-#include "cable.hpp"
 #include "figure.hpp"
 #include "hawser/mesh/generate.hpp"
 #include "hawser/mesh/mesh.hpp"
-#include "hawser/physics/plugin_loader.hpp"
-#include "mesh_motion.hpp"
+#include "hawser/simulation/registries.hpp"
 
 namespace hawser {
 namespace {
@@ -52,12 +49,9 @@ const Snippets snippets_in_space = {
         </cable>)"}};
 
 ModuleRegistry all_modules_there_are() {
-  ModuleRegistry registry;
-  register_ale_fluid(registry);
-  register_cable(registry);
-  register_mesh_motion(registry);
-  load_plugin("heat", HAWSER_TEST_PLUGINS, {module_export(registry)});
-  return registry;
+  Registries registries = built_in();
+  load_plugin("heat", HAWSER_TEST_PLUGINS, registries);
+  return registries.modules;
 }
 
 Mesh small_tow() {

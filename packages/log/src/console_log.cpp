@@ -26,9 +26,8 @@ void ConsoleLog::start(const RunHeading& heading) {
   start_ = std::chrono::steady_clock::now();
   if (!tells()) return;
   if (!heading.title.empty()) terminal_.line(heading.title);
-  terminal_.line(fmt::format("{} nodes, {} unknowns, {} rank(s); modules: {}",
-                             heading.nodes, heading.unknowns, heading.ranks,
-                             listed(heading.modules)));
+  terminal_.line(fmt::format("{} nodes, {} unknowns, {} rank(s); modules: {}", heading.nodes,
+                             heading.unknowns, heading.ranks, listed(heading.modules)));
 }
 
 void ConsoleLog::solved(const NonlinearReport& report) {

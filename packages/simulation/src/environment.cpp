@@ -1,36 +1,21 @@
 #include "hawser/simulation/environment.hpp"
 
-#include <Tpetra_Core.hpp>
-
 #include <cstdio>
 
+#include "hawser/algebra/parallel_runtime.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/installation.hpp"
 
 namespace hawser {
-namespace {
-
-bool start() {
-  if (Tpetra::isInitialized()) return false;
-  int no_arguments = 0;  // the program's are not Kokkos'
-  char** none = nullptr;
-  Tpetra::initialize(&no_arguments, &none);
-  return true;
-}
-
-}  // namespace
-
 Environment::Environment() : Environment(MPI_COMM_WORLD) {}
 
 Environment::Environment(MPI_Comm adopted)
     : registries(built_in()),
       plugin_folder(plugins_beside()),
-      owns_kokkos_(adopted != MPI_COMM_NULL && start()),
+      runtime_(adopted == MPI_COMM_NULL ? nullptr : std::make_unique<ParallelRuntime>()),
       communicator_(adopted) {}
 
-Environment::~Environment() {
-  if (owns_kokkos_) Tpetra::finalize();
-}
+Environment::~Environment() = default;
 
 std::string Environment::plugins_beside() {
   return (installation_folder() / "lib/hawser/plugins").string();

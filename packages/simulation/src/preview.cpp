@@ -7,6 +7,9 @@
 #include <cmath>
 
 #include "hawser/report/mesh_monitor.hpp"
+#include "hawser/simulation/run_deck.hpp"
+#include "hawser/simulation/stepper.hpp"
+#include "src/system.hpp"
 
 namespace hawser {
 namespace {

@@ -71,10 +71,14 @@ class Run {
  private:
   RunHeading heading() const {
     const System& system = stepper_->system();
-    RunHeading heading{case_.deck().title,        folder_.path(),
-                       case_.communicator().size(), system.mesh.vertices.global_count,
-                       system.dofs->global_count(), {},
-                       stepper_->time(),            case_.deck().time.end};
+    RunHeading heading{case_.deck().title,
+                       folder_.path(),
+                       case_.communicator().size(),
+                       system.mesh.vertices.global_count,
+                       system.dofs->global_count(),
+                       {},
+                       stepper_->time(),
+                       case_.deck().time.end};
     for (const PhysicsModule& module : system.modules)
       heading.modules.push_back(module.name);
     return heading;
@@ -100,9 +104,9 @@ class Run {
     const std::string time = "t = " + write_value(stepper_->time()) + " s";
     if (request.kind == Request::Kind::checkpoint)
       return log_->note(request.signal + ": checkpoint of " + time + " in " + checkpoint);
-    throw Error(ExitCode::stopped,
-                "stopped by " + request.signal + " at " + time + "; go on with: hawser restart " +
-                    checkpoint + (case_.end() ? " --end " + write_value(*case_.end()) : ""));
+    throw Error(ExitCode::stopped, "stopped by " + request.signal + " at " + time +
+                                       "; go on with: hawser restart " + checkpoint +
+                                       (case_.end() ? " --end " + write_value(*case_.end()) : ""));
   }
 
   void add_timings(Summary& summary) const {

@@ -1,7 +1,6 @@
 #include "hawser/simulation/stepper.hpp"
 
-#include <Tpetra_Vector.hpp>
-
+#include <algorithm>
 #include <filesystem>
 
 #include "hawser/base/error.hpp"
@@ -52,10 +51,9 @@ NonlinearReport Stepper::solve(double length) {
   const auto lap = newton_watch_.lap();
   CoupledProblem& problem = *system_->problem;
   problem.begin_step(length);
-  TpetraVector x(problem.system().rows);
-  problem.copy_guess(x);
-  NonlinearReport report = system_->driver->solve(x);
-  problem.finish_step(x);
+  const auto x = problem.guess();
+  NonlinearReport report = system_->driver->solve(*x);
+  problem.finish_step(*x);
   return report;
 }
 
@@ -76,9 +74,9 @@ Attempt Stepper::told(Attempt attempt) {
   return attempt;
 }
 
-Attempt Stepper::advance() {
+Attempt Stepper::advance(double longest) {
   Attempt attempt;
-  attempt.length = control_->next(time(), system_->integrator->history().step);
+  attempt.length = std::min(longest, control_->next(time(), system_->integrator->history().step));
   try {
     attempt.newton = solve(attempt.length);
   } catch (const SolveError& error) {

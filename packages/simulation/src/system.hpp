@@ -9,9 +9,9 @@
 #include "hawser/assembly/field_table.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/report/reports.hpp"
-#include "hawser/solve/nonlinear_driver.hpp"
-#include "src/coupled_problem.hpp"
 #include "hawser/simulation/case.hpp"
+#include "hawser/solve/nonlinear_driver.hpp"
+#include "hawser/time/coupled_problem.hpp"
 
 namespace hawser {
 

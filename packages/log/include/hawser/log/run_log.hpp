@@ -44,7 +44,6 @@ class RunLog {
 };
 
 /// Text for a person, or one JSON object per line.
-std::unique_ptr<RunLog> make_run_log(const Communicator& communicator, LogDetail detail,
-                                     bool json);
+std::unique_ptr<RunLog> make_run_log(const Communicator& communicator, LogDetail detail, bool json);
 
 }  // namespace hawser

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "hawser/output/summary.hpp"
-#include "hawser/simulation/run.hpp"
 #include "hawser/report/verification_deck.hpp"
+#include "hawser/simulation/run.hpp"
 
 namespace hawser {
 

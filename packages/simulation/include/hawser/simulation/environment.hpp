@@ -3,12 +3,15 @@
 #include <mpi.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "hawser/base/communicator.hpp"
 #include "hawser/simulation/registries.hpp"
 
 namespace hawser {
+
+class ParallelRuntime;
 
 /// Where runs live: MPI and Kokkos, what decks may name, the folder of plug-ins.
 /// Cases and steppers made from it must be gone before it goes.
@@ -40,7 +43,7 @@ class Environment {
   std::string plugin_folder;  ///< at first plugins_beside()
 
  private:
-  bool owns_kokkos_;
+  std::unique_ptr<ParallelRuntime> runtime_;  // null with MPI_COMM_NULL
   Communicator communicator_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 // Stable: part of the interface for programs that embed Hawser (doc/embedding.md).
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,9 +23,9 @@ struct System;
 /// One attempt at a step.
 struct Attempt {
   bool accepted = false;
-  std::string why{};   ///< it was not
-  double length = 0;   ///< s
-  double time = 0;     ///< s, at which the stepper stands after it
+  std::string why{};                    ///< it was not
+  double length = 0;                    ///< s
+  double time = 0;                      ///< s, at which the stepper stands after it
   std::optional<double> local_error{};  ///< relative, of the time scheme; none in the first steps
   NonlinearReport newton{};             ///< empty where there is no solution
 };
@@ -61,11 +62,11 @@ class Stepper {
   Stepper& operator=(const Stepper&) = delete;
 
   bool finished() const;
-  double time() const;             ///< s, of the last accepted state
-  int steps() const;               ///< accepted, those before a restart included
-  /// Tries one step; the next one is shorter when it was not accepted. SolveError when there is no
-  /// shorter one; the last accepted state stays as it is.
-  Attempt advance();
+  double time() const;  ///< s, of the last accepted state
+  int steps() const;    ///< accepted, those before a restart included
+  /// Tries one step, at most `longest` s; the next one is shorter when it was not accepted.
+  /// SolveError when there is no shorter one; the last accepted state stays as it is.
+  Attempt advance(double longest = std::numeric_limits<double>::infinity());
 
   /// `observer` must outlive the stepper, or be told of nothing more. Called in this order.
   void observe(Observer& observer) { observers_.push_back(&observer); }

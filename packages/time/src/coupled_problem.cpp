@@ -1,4 +1,4 @@
-#include "src/coupled_problem.hpp"
+#include "hawser/time/coupled_problem.hpp"
 
 #include <Tpetra_Vector.hpp>
 
