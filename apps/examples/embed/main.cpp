@@ -1,5 +1,5 @@
-// A bar is pulled longer and longer, in half of the steps by this run and in half by one that goes on
-// from its checkpoint.
+// A bar is pulled longer and longer, in half of the steps by this run and in half by one that goes
+// on from its checkpoint.
 #include <cstdio>
 
 #include "hawser/simulation/stepper.hpp"
@@ -46,6 +46,7 @@ void compute(const hawser::Environment& environment) {
 }
 
 int main() {
-  hawser::Environment environment;  // starts MPI and Kokkos; Environment(comm) adopts a communicator
+  hawser::Environment
+      environment;  // starts MPI and Kokkos; Environment(comm) adopts a communicator
   return environment.guarded([&] { return compute(environment), 0; });
 }

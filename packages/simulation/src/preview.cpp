@@ -1,5 +1,3 @@
-#include "hawser/simulation/run.hpp"
-
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -7,6 +5,7 @@
 #include <cmath>
 
 #include "hawser/report/mesh_monitor.hpp"
+#include "hawser/simulation/run.hpp"
 #include "hawser/simulation/run_deck.hpp"
 #include "hawser/simulation/stepper.hpp"
 #include "src/system.hpp"
