@@ -1,4 +1,4 @@
-"""Installs Hawser into a scratch prefix, follows doc/write_a_module.md and doc/running.md word for word with it, and
+"""Installs Hawser into a scratch prefix, follows doc/write_a_module.md, doc/running.md and doc/embedding.md word for word with it, and
 tries what else is installed: the manual page and the completion.
 
 python3 tests/plugin_out_of_tree/installed.py --build build
@@ -15,6 +15,7 @@ sys.path.insert(0, str(HERE.parent / "system"))
 from harness import BUILD, ENVIRONMENT, ROOT, SCRATCH, SystemTest, main
 
 TUTORIAL = (ROOT / "doc/write_a_module.md").read_text()
+EMBEDDING = (ROOT / "doc/embedding.md").read_text()
 RUNNING = (ROOT / "doc/running.md").read_text()
 PREFIX = SCRATCH / "hawser"
 SPACE = SCRATCH / "my_heat"
@@ -105,6 +106,26 @@ class Tutorial(SystemTest):
         self.assertRegex(done.stdout, r"\n  tail_velocity_x_m_per_s +-?\d")
         for picture in "history.png", "cable.png":
             self.assertEqual((place / "results/mine" / picture).read_bytes()[:4], b"\x89PNG")
+
+    def test_a_program_of_your_own(self):
+        """doc/embedding.md: the page shows the example as it lies in the tree, its script builds it against the installation."""
+        shown = list(blocks(EMBEDDING))
+        place = SCRATCH / "embed"
+        place.mkdir()
+        for kind, text, name in shown:
+            if name:
+                self.assertEqual(text, (ROOT / "apps/examples/embed" / name).read_text())
+                (place / name).write_text(text)
+        script = "".join(text for kind, text, _ in shown if kind == "sh")
+        done = shell(script, place)
+        self.assertEqual(done.returncode, 0, script + done.stdout[-3000:] + done.stderr[-3000:])
+        self.assertRegex(done.stdout, r"(?m)^t = 1 s: \d+ iterations, the tail has gone 5\.0000 m$")
+        self.assertEqual(len(re.findall(r"^t = ", done.stdout, re.M)), 4)
+        nodes = dict(re.findall(r"^node \d+: X = (\S+) m, x = (\S+) m$", done.stdout, re.M))
+        self.assertEqual(len(nodes), 11)
+        self.assertEqual(nodes["10"], "15.0000")
+        self.assertEqual({path.name for path in place.iterdir()}, {"build", "main.cpp", "CMakeLists.txt", "bar.h5", "bar.msh"})
+        self.assertNotIn(str(BUILD / "lib"), shell(f"ldd {place}/build/embed").stdout)
 
     def completed_words(self, *words):
         return shell(f"""set +e; PATH={PREFIX}/bin:$PATH

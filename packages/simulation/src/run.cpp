@@ -5,6 +5,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/base/signals.hpp"
 #include "hawser/output/provenance.hpp"
+#include "hawser/simulation/run_deck.hpp"
 #include "src/run_record.hpp"
 
 namespace hawser {

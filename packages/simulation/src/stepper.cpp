@@ -7,6 +7,7 @@
 #include "hawser/base/scratch_folder.hpp"
 #include "hawser/fields/look_up.hpp"
 #include "hawser/output/provenance.hpp"
+#include "hawser/simulation/run_deck.hpp"
 #include "hawser/time/state_checkpoint.hpp"
 #include "hawser/time/step_control.hpp"
 #include "src/system.hpp"
