@@ -8,6 +8,7 @@
 
 #include "hawser/base/child_process.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/installation.hpp"
 
 namespace hawser {
 namespace {
@@ -31,12 +32,10 @@ std::vector<std::string> common_arguments(const Box& b, const std::string& path)
 
 std::string find_mesher() {
   if (const char* named = std::getenv("HAWSER_MESHER")) return named;
+  const fs::path installed = installation_folder() / "bin/hawser_mesher";
   std::error_code ignored;
-  const auto beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "hawser_mesher";
-  if (fs::exists(beside, ignored)) return beside;
-  if (fs::exists(HAWSER_BUILT_MESHER, ignored)) return HAWSER_BUILT_MESHER;
-  throw MeshError("the program hawser_mesher is neither beside this program nor at " +
-                  std::string(HAWSER_BUILT_MESHER) +
+  if (fs::exists(installed, ignored)) return installed.string();
+  throw MeshError("there is no program " + installed.string() +
                   "; set the environment variable HAWSER_MESHER to its path");
 }
 
