@@ -128,6 +128,14 @@ TEST_F(StepperTest, GoesOnFromWhatItSaved) {
   EXPECT_EQ(second.quantities(), stepper.quantities());
 }
 
+TEST_F(StepperTest, StepsOnAnAdoptedCommunicator) {
+  const Environment alone(MPI_COMM_SELF);  // each rank for itself
+  Stepper stepper(Case::from_text(alone, sample_deck));
+  EXPECT_EQ(stepper.field("displacement").ids.size(), 11u);
+  step_to_the_end(stepper);
+  EXPECT_NEAR(*stepper.quantity("middle_displacement_y_m"), height_at_the_end(string()), 1e-12);
+}
+
 TEST_F(StepperTest, WritesNothingByItself) {
   const auto count = [] { return std::distance(std::filesystem::directory_iterator("empty"), {}); };
   environment_.communicator().on_root([] { std::filesystem::create_directory("empty"); });
