@@ -102,7 +102,7 @@ Attempt Stepper::advance(double longest) {
 Summary Stepper::summary() const {
   Summary result;
   result.set("title", case_.deck().title);
-  system_->reports->summarise(*last_, result);
+  if (last_) system_->reports->summarise(*last_, result);
   return result;
 }
 

@@ -77,20 +77,5 @@ TEST(Case, MakesNewModulesEachTime) {
   }
 }
 
-TEST(Environment, OfOneProcessReadsDecks) {
-  const Environment alone(MPI_COMM_NULL);
-  EXPECT_EQ(Case::from_text(alone, sample_deck).deck().title, "String");
-}
-
-TEST(Environment, MakesAnExitCodeOfAnError) {
-  const Environment environment;
-  testing::internal::CaptureStderr();
-  const int code = environment.guarded([]() -> int { throw MeshError("no such mesh"); });
-  EXPECT_EQ(code, 4);
-  EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            environment.communicator().is_root() ? "no such mesh\n" : "");
-  EXPECT_EQ(environment.guarded([] { return 7; }), 7);
-}
-
 }  // namespace
 }  // namespace hawser

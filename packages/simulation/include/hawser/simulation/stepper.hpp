@@ -77,7 +77,7 @@ class Stepper {
   /// before the first. Not collective.
   std::vector<std::pair<std::string, double>> quantities() const;
   std::optional<double> quantity(const std::string& name) const;
-  /// What the reports say of the run so far; a step is needed.
+  /// What the reports say of the run so far; the title alone before the first step.
   Summary summary() const;
 
   /// The last accepted state, for Case::from_checkpoint; a mesh that was made for this stepper is
