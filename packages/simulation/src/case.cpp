@@ -106,6 +106,10 @@ Case Case::from_text(const Environment& environment, const std::string& text,
 
 Case Case::from_checkpoint(const Environment& environment, const std::string& file,
                            const CaseOptions& options) {
+  if (!options.changes.empty())
+    throw Error(ExitCode::usage, file +
+                                     ": the deck in a checkpoint stays as it is; the end alone "
+                                     "may be another");
   auto checkpoint = std::make_unique<CheckpointReader>(environment.communicator(), file);
   const CheckpointHeader& header = checkpoint->header();
   Diagnostics diagnostics;

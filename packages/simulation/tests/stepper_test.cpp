@@ -119,6 +119,8 @@ TEST_F(StepperTest, GoesOnFromWhatItSaved) {
   for (int i = 0; i < 3; ++i)
     stepper.advance();
   stepper.save("half.h5");
+  EXPECT_THROW(Case::from_checkpoint(environment_, "half.h5", {{{"time/step", "1"}}, {}, true}),
+               Error);
   Stepper second(Case::from_checkpoint(environment_, "half.h5"));
   EXPECT_EQ(second.steps(), 3);
   EXPECT_EQ(second.time(), stepper.time());

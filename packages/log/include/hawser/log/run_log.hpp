@@ -26,21 +26,21 @@ struct RunHeading {
   double time = 0, end = 0;  ///< s, at which it begins and is to end
 };
 
-/// Called on all ranks; rank 0 tells, on standard output.
+/// Called on all ranks; rank 0 tells, on standard output. This one says nothing.
 class RunLog {
  public:
   virtual ~RunLog() = default;
-  virtual void note(const std::string& sentence) = 0;
-  virtual void start(const RunHeading& heading) = 0;
+  virtual void note(const std::string& /*sentence*/) {}
+  virtual void start(const RunHeading& /*heading*/) {}
   /// Newton's method for the step that is told next.
-  virtual void solved(const NonlinearReport& report) = 0;
-  virtual void rejected(double time, double length, const std::string& why) = 0;
-  virtual void stepped(const Step& step, const MeshFigures& mesh, double end) = 0;
+  virtual void solved(const NonlinearReport& /*report*/) {}
+  virtual void rejected(double /*time*/, double /*length*/, const std::string& /*why*/) {}
+  virtual void stepped(const Step& /*step*/, const MeshFigures& /*mesh*/, double /*end*/) {}
   /// `what` is "fields" or "checkpoint".
-  virtual void wrote(const std::string& what, int step, double time) = 0;
+  virtual void wrote(const std::string& /*what*/, int /*step*/, double /*time*/) {}
   /// `closing`: what the reports say at the end.
-  virtual void finish(const std::string& closing, const std::vector<Judgement>& judgements,
-                      const Summary& summary) = 0;
+  virtual void finish(const std::string& /*closing*/, const std::vector<Judgement>& /*judgements*/,
+                      const Summary& /*summary*/) {}
 };
 
 /// Text for a person, or one JSON object per line.

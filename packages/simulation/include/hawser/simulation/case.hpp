@@ -31,8 +31,8 @@ class Case {
   /// where files lie that it names, such as a mesh.
   static Case from_text(const Environment& environment, const std::string& text,
                         const std::string& name = "deck", const CaseOptions& options = {});
-  /// Goes on from a checkpoint with the deck that is kept in it; `options` cannot change that.
-  /// OutputError when it cannot be read, Error (usage) when nothing is left to do.
+  /// Goes on from a checkpoint with the deck that is kept in it. OutputError when it cannot be
+  /// read, Error (usage) when nothing is left to do, or for changes.
   static Case from_checkpoint(const Environment& environment, const std::string& file,
                               const CaseOptions& options = {});
 
