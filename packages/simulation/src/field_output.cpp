@@ -11,7 +11,7 @@ std::vector<GlobalIndex> owned_ids(const PointSet& points) {
   return {points.ids.begin(), points.ids.begin() + points.owned};
 }
 
-/// Every triangle of the mesh; vertices are doubled along slits so that the pressure's jump is
+/// Every cell of the body; vertices are doubled along slits so that the pressure's jump is
 /// seen.
 Grid flow_grid(const Mesh& mesh) {
   Grid grid;
@@ -20,15 +20,13 @@ Grid flow_grid(const Mesh& mesh) {
   grid.dimension = mesh.dimension;
   grid.point_count = mesh.split_vertices.global_count;
   grid.point_ids = owned_ids(mesh.split_vertices);
-  for (const Region& region : mesh.regions) {
-    if (region.shape != CellShape::triangle) continue;
-    for (std::size_t cell = 0; cell < region.cell_ids.size(); ++cell) {
-      if (region.cell_owners[cell] != mesh.communicator.rank()) continue;
-      grid.cell_ids.push_back(region.cell_ids[cell]);
-      for (std::size_t k = 0; k < 3; ++k)
-        grid.cells.push_back(
-            mesh.split_vertices.ids[static_cast<std::size_t>(region.split_vertices[3 * cell + k])]);
-    }
+  for (std::size_t cell = 0; cell < mesh.body.cell_ids.size(); ++cell) {
+    if (mesh.body.cell_owners[cell] != mesh.communicator.rank()) continue;
+    grid.cell_ids.push_back(mesh.body.cell_ids[cell]);
+    for (std::size_t k = 0; k < 3; ++k)
+      grid.cells.push_back(
+          mesh.split_vertices
+              .ids[static_cast<std::size_t>(mesh.body.split_vertices[3 * cell + k])]);
   }
   grid.cell_count = mesh.communicator.sum(static_cast<long long>(grid.cell_ids.size()));
   return grid;

@@ -49,23 +49,26 @@ ForceReport::ForceReport(const Assembler& assembler, const std::vector<PhysicsMo
   std::vector<std::string> names = {"all"};
   for (std::size_t m = 0; m < modules.size(); ++m) {
     names.push_back(modules[m].name);
-    if (modules[m].name == deck.module.value) module_ = static_cast<int>(m);
+    if (modules[m].name == deck.module.value) modules_.push_back(static_cast<int>(m));
   }
-  if (module_ == Assembler::all_modules)
+  if (modules_.empty())
     diagnostics.error(deck.module.location, "the deck has no module '" + deck.module.value +
                                                 "'; it has " + listed(names) +
                                                 did_you_mean(deck.module.value, names));
 }
 
 Force ForceReport::measure(const State& state, const std::vector<double>& reactions) const {
-  std::vector<double> residual, magnitude;
-  if (module_ != Assembler::all_modules) assembler_.residual(state, residual, magnitude, module_);
-  const std::vector<double>& rows = module_ == Assembler::all_modules ? reactions : residual;
-  const double sign = module_ == Assembler::all_modules ? 1 : -1;
-  std::vector<double> force(deck_.axis.value.size(), 0);
-  for (const LocalIndex row : rows_)
-    for (std::size_t j = 0; j < force.size(); ++j)
-      force[j] += sign * rows[static_cast<std::size_t>(row) + j];
+  std::vector<double> force(deck_.axis.value.size(), 0), residual, magnitude;
+  const auto add = [&](double sign, const std::vector<double>& values) {
+    for (const LocalIndex row : rows_)
+      for (std::size_t j = 0; j < force.size(); ++j)
+        force[j] += sign * values[static_cast<std::size_t>(row) + j];
+  };
+  if (modules_.empty()) add(1, reactions);
+  for (const int module : modules_) {
+    assembler_.residual(state, residual, magnitude, module);
+    add(-1, residual);
+  }
   MPI_Allreduce(MPI_IN_PLACE, force.data(), static_cast<int>(force.size()), MPI_DOUBLE, MPI_SUM,
                 assembler_.dofs().mesh().communicator.mpi());
   return split_force(force, deck_.axis.value);

@@ -23,13 +23,14 @@ class ForceReport {
               const ForceDeck& deck, Diagnostics& diagnostics);
 
   const std::string& name() const { return deck_.name; }
-  /// Load of the module on the region (minus its residual), or the reaction for "all". Collective.
+  /// Load of all modules of that name on the region (minus their residual), or the reaction for
+  /// "all". Collective.
   Force measure(const State& state, const std::vector<double>& reactions) const;
 
  private:
   const Assembler& assembler_;
   ForceDeck deck_;
-  int module_ = Assembler::all_modules;
+  std::vector<int> modules_;      // of the name that is asked for; empty: the reaction
   std::vector<LocalIndex> rows_;  // first velocity rows, owned
 };
 

@@ -61,6 +61,8 @@ struct Simulation::Implementation {
     try {
       std::string file = provide_mesh(place);
       system = build_system(communicator, deck(), std::move(run_case.modules), file);
+      for (const std::string& sentence : system->mesh.notes)
+        if (log) log->note(sentence);
       return file;
     } catch (const MeshError& error) {
       throw MeshError(deck().mesh.location.text() + ": " + error.what());

@@ -3,44 +3,11 @@
 #include <algorithm>
 #include <sstream>
 
+#include "hawser/assembly/check_domains.hpp"
 #include "hawser/fields/look_up.hpp"
 
 namespace hawser {
 namespace {
-
-std::string base_name(const std::string& region) { return region.substr(0, region.find('/')); }
-
-void check_regions(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
-                   Diagnostics& diagnostics) {
-  for (const PhysicsModule& module : modules)
-    for (const auto& kernel : module.kernels) {
-      if (kernel->dimension() != mesh.dimension) {
-        diagnostics.error(module.location, "module '" + module.name + "' is written for " +
-                                               std::to_string(kernel->dimension()) +
-                                               " dimensions, the mesh has " +
-                                               std::to_string(mesh.dimension));
-        break;
-      }
-      const std::string base = base_name(kernel->region());
-      if (base == kernel->region()) {
-        find_region_of(kernel->vertices_per_cell(), mesh, {base, module.location},
-                       "module '" + module.name + "'", diagnostics);
-        continue;
-      }
-      if (mesh.find(kernel->region()) != nullptr) continue;
-      if (find_region(mesh, base, module.location, diagnostics) == nullptr) continue;
-      const std::string part = kernel->region().substr(base.size() + 1);
-      if (part == "facets")
-        diagnostics.error(module.location,
-                          "region '" + base + "' is no line on the boundary of the body");
-      else if (part == "patches")
-        diagnostics.error(module.location, "region '" + base +
-                                               "' is no line inside the body or of at least two "
-                                               "segments");
-      else if (find_region(mesh, part, module.location, diagnostics) != nullptr)
-        diagnostics.error(module.location, "'" + part + "' is no point of region '" + base + "'");
-    }
-}
 
 Probe make_probe(const DofMap& dofs, const ProbeDeck& deck, Diagnostics& diagnostics) {
   Probe probe{deck.name, deck.field.value, "", 1, -1};
@@ -81,7 +48,8 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
                                      std::vector<PhysicsModule> modules,
                                      const std::string& mesh_file) {
   auto system = std::make_unique<System>(
-      System{read_mesh(communicator, {mesh_file, deck.mesh.slits, deck.mesh.dimension()}),
+      System{read_mesh(communicator,
+                       {mesh_file, deck.mesh.slits, deck.mesh.dimension(), domains_of(modules)}),
              std::move(modules),
              {},
              {},
@@ -96,7 +64,7 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
              {},
              {}});
   Diagnostics diagnostics;
-  check_regions(system->mesh, system->modules, diagnostics);
+  check_domains(system->mesh, system->modules, diagnostics);
   diagnostics.throw_if_any();
 
   system->table = gather_fields(system->modules);
