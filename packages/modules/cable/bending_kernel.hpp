@@ -82,8 +82,7 @@ class ClampKernel : public ElementKernel<ClampKernel<D>> {
   static constexpr int displacement = 1;
 
   ClampKernel(Domain ends, double bending_stiffness)
-      : ElementKernel<ClampKernel>(std::move(ends)),
-        bending_stiffness_(bending_stiffness) {}
+      : ElementKernel<ClampKernel>(std::move(ends)), bending_stiffness_(bending_stiffness) {}
 
   template <class Element, class T>
   void element_residual(const Element& at, T* out) const {

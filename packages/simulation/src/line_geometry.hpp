@@ -15,7 +15,6 @@ class LineGeometry {
 
   const Region& region() const { return line_; }
   std::size_t size() const { return ids_.size(); }
-  const std::vector<GlobalIndex>& vertex_ids() const { return ids_; }
   const std::vector<double>& arc_length() const { return arc_length_; }  ///< m, reference
   /// Local owned vertices of the line and their places in the sequence.
   struct OwnedNode {
