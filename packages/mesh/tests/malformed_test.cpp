@@ -109,7 +109,7 @@ TEST(Malformed, OverlappingTriangles) {
   auto text = grid(1, 1);
   text.groups[0].cells.push_back({0, 1, 2});
   EXPECT_THAT([&] { read_text(Communicator(), text.in_format("4.1")); },
-              testing::ThrowsMessage<MeshError>("two triangles overlap on the same side of the "
+              testing::ThrowsMessage<MeshError>("two cells overlap on the same side of the "
                                                 "edge from (0, 0) to (1, 0)"));
 }
 
