@@ -9,11 +9,11 @@ namespace {
 using namespace hawser;
 
 struct Heat {
-  std::string region;
+  Domain region;
   double capacity = 4.18e6, conductivity = 0.6;
   static Spec<Heat> spec() {
     return Spec<Heat>("heat", "Heat carried by the flow and conducted.")
-        .attribute("region", &Heat::region, required(), "Region that conducts.")
+        .attribute("region", &Heat::region, required(), "Regions that conduct.")
         .attribute("capacity", &Heat::capacity, "J/(m^3 K)", positive(), "Heat per volume.")
         .attribute("conductivity", &Heat::conductivity, "W/(m K)", positive(), "Of Fourier's law.");
   }

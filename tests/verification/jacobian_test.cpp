@@ -60,19 +60,27 @@ Mesh small_tow() {
   box.tail = {0.3, -1};
   box.cable_size = 0.3, box.far_size = 0.5;
   generate_mesh(Communicator(), box, "small_tow.msh");
-  return read_mesh(Communicator(), {"small_tow.msh", {"cable"}});
+  return read_mesh(Communicator(), {"small_tow.msh",
+                                    {"cable"},
+                                    2,
+                                    {Domain::facets("outflow"), Domain::facets("inflow"),
+                                     Domain::patches("cable"), Domain::ends("cable", "tail")}});
 }
 
 Mesh line_in_space() {
   generate_mesh(Communicator(), LineMesh{{0, 0.1, 0.2}, {0.5, 1.1, -1.2}, 5}, "line_in_space.msh");
-  return read_mesh(Communicator(), {"line_in_space.msh", {}, 3});
+  return read_mesh(Communicator(), {"line_in_space.msh",
+                                    {},
+                                    3,
+                                    {Domain::patches("cable"), Domain::ends("cable", "tow-point"),
+                                     Domain::ends("cable", "tail")}});
 }
 
 /// One cell in an admissible state. Rates follow values: rate = slope value + partner v + rest.
 class SampleCell {
  public:
   SampleCell(Kernel& kernel, const Mesh& mesh, unsigned seed) : kernel_(kernel), random_(seed) {
-    const Region& region = mesh.region(kernel.region());
+    const Region& region = mesh.region(kernel.domain());
     std::vector<Basis> bases;
     first_.push_back(0);
     for (const FieldUse& use : kernel.fields()) {
@@ -81,7 +89,7 @@ class SampleCell {
       first_.push_back(first_.back() + use.components * (region.vertices_per_cell +
                                                          (quadratic ? region.edges_per_cell : 0)));
     }
-    kernel.bind(region.shape == CellShape::triangle
+    kernel.bind(region.dimension == mesh.dimension
                     ? tabulate_cell(bases, quadrature(region.shape, 2))
                     : CellTabulation());
 
@@ -194,7 +202,7 @@ void check_kernel(Kernel& kernel, const Mesh& mesh, unsigned seed, double& worst
       if (size == 0) continue;
       worst = std::max(worst, error / size);
       EXPECT_LE(error / size, 1e-6) << "block (" << fields[row].name << ", " << fields[column].name
-                                    << ") on " << kernel.region() << ", seed " << seed;
+                                    << ") on " << kernel.domain().text() << ", seed " << seed;
     }
 }
 

@@ -207,7 +207,11 @@ std::vector<Assembler::CellValues> Assembler::cell_quantities(const Region& regi
                                                               const State& state) const {
   std::vector<CellValues> result;
   for (const KernelCells& cells : implementation_->kernels) {
-    if (cells.region != &region) continue;
+    const Domain& domain = cells.kernel->domain();
+    const auto& names = domain.regions;
+    if (domain.kind != Domain::Kind::cells ||
+        std::find(names.begin(), names.end(), region.name) == names.end())
+      continue;
     const auto quantities = cells.kernel->quantities();
     if (quantities.empty()) continue;
     const std::size_t first = result.size();
@@ -217,7 +221,7 @@ std::vector<Assembler::CellValues> Assembler::cell_quantities(const Region& regi
                         {}});
     CellGatherer gatherer(cells, dofs().mesh(), state);
     std::vector<double> values(quantities.size());
-    for (LocalIndex cell = 0; cell < region.size(); ++cell) {
+    for (const LocalIndex cell : places_in(*cells.region, region)) {
       cells.kernel->evaluate(gatherer.gather(cell), values.data());
       for (std::size_t k = 0; k < values.size(); ++k)
         result[first + k].values.push_back(values[k]);

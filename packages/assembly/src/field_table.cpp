@@ -51,9 +51,9 @@ FieldTable gather_fields(const std::vector<PhysicsModule>& modules) {
         FieldDescription& field = entry->description;
         if (!agree(field, entry->rule, use)) throw_conflict(module, use);
         entry->kinematic = entry->kinematic || use.role == Role::kinematic;
-        if (std::find(field.regions.begin(), field.regions.end(), kernel->region()) ==
-            field.regions.end())
-          field.regions.push_back(kernel->region());
+        if (std::find(field.domains.begin(), field.domains.end(), kernel->domain()) ==
+            field.domains.end())
+          field.domains.push_back(kernel->domain());
       }
   for (const PhysicsModule& module : modules)
     for (const auto& kernel : module.kernels)

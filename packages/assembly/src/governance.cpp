@@ -11,7 +11,7 @@ template <class Visit>
 void visit_rows(const DofMap& dofs, const PhysicsModule& module, Visit&& visit) {
   std::vector<LocalIndex> first_rows;
   for (const auto& kernel : module.kernels) {
-    const Region& region = dofs.mesh().region(kernel->region());
+    const Region& region = dofs.mesh().region(kernel->domain());
     for (const FieldUse& use : kernel->fields()) {
       if (use.role == Role::reads) continue;
       const int field = dofs.find(use.name);

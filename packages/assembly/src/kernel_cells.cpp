@@ -11,7 +11,7 @@ namespace {
 
 void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& cells,
                  Kernel& kernel) {
-  if (region.shape != CellShape::triangle) return kernel.bind({});
+  if (region.dimension < dofs.mesh().dimension) return kernel.bind({});
   std::vector<Basis> bases;
   std::vector<FieldInForm> form;
   for (std::size_t f = 0; f < cells.fields.size(); ++f) {
@@ -30,7 +30,7 @@ void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& ce
 
 KernelCells resolve(const DofMap& dofs, const Governance& governance, Kernel& kernel, int module) {
   KernelCells cells;
-  const Region& region = dofs.mesh().region(kernel.region());
+  const Region& region = dofs.mesh().region(kernel.domain());
   cells.kernel = &kernel;
   cells.region = &region;
   cells.module = module;
@@ -44,7 +44,7 @@ KernelCells resolve(const DofMap& dofs, const Governance& governance, Kernel& ke
         use.components * (region.vertices_per_cell + (quadratic ? region.edges_per_cell : 0));
     if (use.rate_rule == RateRule::quotient && (use.needs & need::rate) != 0 &&
         kernel.rate_partner() < 0)
-      throw std::logic_error("a kernel on '" + kernel.region() +
+      throw std::logic_error("a kernel on '" + region.name +
                              "' looks at the displacement's rate and must list the velocity too");
   }
   cells.first.push_back(unknowns);

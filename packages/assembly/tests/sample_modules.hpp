@@ -13,8 +13,8 @@ namespace hawser {
 /// Adds the same load at every node of every cell, to every component of every field.
 class LoadKernel : public Kernel {
  public:
-  LoadKernel(std::string region, int nodes, std::vector<FieldUse> uses, double load = 0)
-      : Kernel(std::move(region), std::move(uses)), nodes_(nodes), load_(load) {
+  LoadKernel(Domain domain, int nodes, std::vector<FieldUse> uses, double load = 0)
+      : Kernel(std::move(domain), std::move(uses)), nodes_(nodes), load_(load) {
     for (const FieldUse& use : fields())
       unknowns_ += nodes * use.components;
   }

@@ -1,5 +1,7 @@
 #include "hawser/base/communicator.hpp"
 
+#include <algorithm>
+
 #include "hawser/base/error.hpp"
 
 namespace hawser {
@@ -12,6 +14,13 @@ T reduce(MPI_Comm comm, T local, MPI_Datatype type, MPI_Op operation) {
   T global{};
   MPI_Allreduce(&local, &global, 1, type, operation, comm);
   return global;
+}
+
+// MPI counts in int.
+template <class Work>
+void in_pieces(std::size_t size, std::size_t piece, Work&& work) {
+  for (std::size_t begin = 0; begin < size; begin += piece)
+    work(begin, static_cast<int>(std::min(piece, size - begin)));
 }
 
 // The dynamic type is restored so that a caller may catch, say, SolveError on every rank alike.
@@ -50,8 +59,28 @@ std::string Communicator::broadcast(const std::string& text) const {
   MPI_Bcast(&size, 1, MPI_LONG_LONG, 0, comm_);
   std::string result = text;
   result.resize(static_cast<std::size_t>(size));
-  MPI_Bcast(result.data(), static_cast<int>(size), MPI_CHAR, 0, comm_);
+  in_pieces(result.size(), largest_piece, [&](std::size_t begin, int count) {
+    MPI_Bcast(result.data() + begin, count, MPI_CHAR, 0, comm_);
+  });
   return result;
+}
+
+void Communicator::send(const std::vector<char>& bytes, int to, std::size_t piece) const {
+  const auto size = static_cast<long long>(bytes.size());
+  MPI_Send(&size, 1, MPI_LONG_LONG, to, 0, comm_);
+  in_pieces(bytes.size(), piece, [&](std::size_t begin, int count) {
+    MPI_Send(bytes.data() + begin, count, MPI_BYTE, to, 0, comm_);
+  });
+}
+
+std::vector<char> Communicator::receive(int from, std::size_t piece) const {
+  long long size = 0;
+  MPI_Recv(&size, 1, MPI_LONG_LONG, from, 0, comm_, MPI_STATUS_IGNORE);
+  std::vector<char> bytes(static_cast<std::size_t>(size));
+  in_pieces(bytes.size(), piece, [&](std::size_t begin, int count) {
+    MPI_Recv(bytes.data() + begin, count, MPI_BYTE, from, 0, comm_, MPI_STATUS_IGNORE);
+  });
+  return bytes;
 }
 
 void Communicator::rethrow_everywhere(int code, const std::string& message) const {

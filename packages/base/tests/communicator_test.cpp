@@ -41,5 +41,18 @@ TEST(Communicator, ReducesAndBroadcasts) {
   EXPECT_EQ(all.broadcast(all.is_root() ? "deck" : ""), "deck");
 }
 
+// As more than 2 GiB would have to be.
+TEST(Communicator, SendsInPieces) {
+  const Communicator all;
+  const std::vector<char> bytes = {'h', 'a', 'w', 's', 'e', 'r', 's'};
+  for (const std::size_t piece : {1, 3, 7, 100}) {
+    if (all.is_root())
+      for (int rank = 1; rank < all.size(); ++rank)
+        all.send(bytes, rank, piece);
+    else
+      EXPECT_EQ(all.receive(0, piece), bytes);
+  }
+}
+
 }  // namespace
 }  // namespace hawser

@@ -132,6 +132,11 @@ std::string read_value(const Reading& reading, std::vector<std::string>& value) 
   return length_fault(reading, value.size());
 }
 
+std::string read_value(const Reading& reading, Domain& value) {
+  value = {};
+  return read_value(reading, value.regions);
+}
+
 std::string read_value(const Reading& reading, Expressions& value) {
   const auto parts = split_values(reading.text);
   value.assign(parts.size(), {});
@@ -155,6 +160,7 @@ std::string write_value(const Expression& value) { return value.text(); }
 std::string write_value(const std::vector<double>& value) { return joined(value, " "); }
 std::string write_value(const std::vector<std::string>& value) { return joined(value, " "); }
 std::string write_value(const Expressions& value) { return joined(value, "; "); }
+std::string write_value(const Domain& value) { return write_value(value.regions); }
 
 std::string type_name(const double&) { return "number"; }
 std::string type_name(const int&) { return "whole number"; }
@@ -164,5 +170,6 @@ std::string type_name(const Expression&) { return "expression"; }
 std::string type_name(const std::vector<double>&) { return "list of numbers"; }
 std::string type_name(const std::vector<std::string>&) { return "list of names"; }
 std::string type_name(const Expressions&) { return "list of expressions"; }
+std::string type_name(const Domain& value) { return type_name(value.regions); }
 
 }  // namespace hawser

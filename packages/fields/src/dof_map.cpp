@@ -55,8 +55,8 @@ void DofMap::mark_presence() {
     first_row_[slot(kind)].assign(static_cast<std::size_t>(points(kind).size()) * fields_.size(),
                                   absent);
   for (std::size_t f = 0; f < fields_.size(); ++f)
-    for (const std::string& name : fields_[f].regions) {
-      const Region& region = mesh_->region(name);
+    for (const Domain& domain : fields_[f].domains) {
+      const Region& region = mesh_->region(domain);
       // A line has no sides: a split field lives where the surrounding cells put it.
       if (fields_[f].split && region.split_vertices.empty() && region.dimension < mesh_->dimension)
         continue;

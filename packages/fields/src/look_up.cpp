@@ -5,12 +5,11 @@
 namespace hawser {
 namespace {
 
-/// Regions that a deck may name: those derived from others have a '/' in their name.
 template <class Predicate>
 std::vector<std::string> names_of(const Mesh& mesh, Predicate&& wanted) {
   std::vector<std::string> names;
   for (const Region& region : mesh.regions)
-    if (region.name.find('/') == std::string::npos && wanted(region)) names.push_back(region.name);
+    if (wanted(region)) names.push_back(region.name);
   return names;
 }
 

@@ -9,8 +9,6 @@
 namespace hawser {
 namespace {
 
-std::size_t at(LocalIndex index) { return static_cast<std::size_t>(index); }
-
 // The different numbers that occur, ascending.
 std::vector<LocalIndex> distinct(std::vector<LocalIndex> numbers) {
   std::sort(numbers.begin(), numbers.end());
@@ -43,11 +41,12 @@ void renumber(std::vector<LocalIndex>& numbers, const std::vector<LocalIndex>& l
 
 MeshCutter::MeshCutter(const Mesh& whole, const std::vector<int>& owner_of_vertex, int parts)
     : whole_(whole), owner_of_vertex_(owner_of_vertex) {
+  const auto regions = all_regions(whole);
   cells_.resize(static_cast<std::size_t>(parts));
-  for (auto& regions : cells_)
-    regions.resize(whole.regions.size());
-  for (std::size_t r = 0; r < whole.regions.size(); ++r) {
-    const auto& region = whole.regions[r];
+  for (auto& held : cells_)
+    held.resize(regions.size());
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const auto& region = *regions[r];
     for (LocalIndex c = 0; c < region.size(); ++c) {
       for (int k = 0; k < region.vertices_per_cell; ++k) {
         const auto v = region.vertices[at(c * region.vertices_per_cell + k)];
@@ -60,32 +59,38 @@ MeshCutter::MeshCutter(const Mesh& whole, const std::vector<int>& owner_of_verte
 
 // Still in the numbers of the whole mesh.
 void MeshCutter::cut_regions(Mesh& part, int rank) const {
-  const auto append = [](const auto& from, LocalIndex cell, int size, auto& to) {
-    const auto begin = from.begin() + static_cast<std::ptrdiff_t>(cell) * size;
-    to.insert(to.end(), begin, begin + size);
-  };
-  for (std::size_t r = 0; r < whole_.regions.size(); ++r) {
-    const auto& from = whole_.regions[r];
-    auto to = make_region(from.name, from.shape);
+  part.regions.resize(whole_.regions.size());
+  for (const auto& [domain, region] : whole_.derived)
+    part.derived.emplace_back(domain, Region());
+  const auto whole = all_regions(whole_);
+  const auto parts = all_regions(part);
+  for (std::size_t r = 0; r < whole.size(); ++r) {
+    const auto& from = *whole[r];
+    auto& to = *parts[r];
+    to.name = from.name;
+    to.dimension = from.dimension;
+    to.shape = from.shape;
+    to.vertices_per_cell = from.vertices_per_cell;
+    to.edges_per_cell = from.edges_per_cell;
     for (const auto cell : cells_[at(rank)][r]) {
       const int n = from.vertices_per_cell;
       const auto* v = &from.vertices[at(cell * n)];
       to.cell_ids.push_back(from.cell_ids[at(cell)]);
       to.cell_owners.push_back(owner_of_vertex_[at(*std::min_element(v, v + n))]);
-      append(from.vertices, cell, n, to.vertices);
-      if (!from.split_vertices.empty()) append(from.split_vertices, cell, n, to.split_vertices);
-      append(from.edges, cell, from.edges_per_cell, to.edges);
+      append_cell(from.vertices, cell, n, to.vertices);
+      if (!from.split_vertices.empty())
+        append_cell(from.split_vertices, cell, n, to.split_vertices);
+      append_cell(from.edges, cell, from.edges_per_cell, to.edges);
     }
-    part.regions.push_back(std::move(to));
   }
 }
 
 // Owned vertices by reverse Cuthill-McKee, then ghosts by owner and number.
 std::vector<LocalIndex> MeshCutter::order_vertices(Mesh& part, int rank) const {
   std::vector<LocalIndex> known, edges, owned, order;
-  for (const auto& region : part.regions) {
-    known.insert(known.end(), region.vertices.begin(), region.vertices.end());
-    edges.insert(edges.end(), region.edges.begin(), region.edges.end());
+  for (const auto* region : all_regions(part)) {
+    known.insert(known.end(), region->vertices.begin(), region->vertices.end());
+    edges.insert(edges.end(), region->edges.begin(), region->edges.end());
   }
   known = distinct(std::move(known));
   std::vector<LocalIndex> place(owner_of_vertex_.size(), -1), ends;
@@ -116,6 +121,7 @@ Mesh MeshCutter::part(int rank) const {
   Mesh part;
   part.communicator = whole_.communicator;
   part.dimension = whole_.dimension;
+  if (rank == 0) part.notes = whole_.notes;
   cut_regions(part, rank);
 
   const auto owner = [&](LocalIndex v) { return owner_of_vertex_[at(v)]; };
@@ -129,9 +135,9 @@ Mesh MeshCutter::part(int rank) const {
 
   // Split vertices and edges in the order of the vertices that they belong to: the same good order.
   std::vector<LocalIndex> splits, edges;
-  for (const auto& region : part.regions) {
-    splits.insert(splits.end(), region.split_vertices.begin(), region.split_vertices.end());
-    edges.insert(edges.end(), region.edges.begin(), region.edges.end());
+  for (const auto* region : all_regions(part)) {
+    splits.insert(splits.end(), region->split_vertices.begin(), region->split_vertices.end());
+    edges.insert(edges.end(), region->edges.begin(), region->edges.end());
   }
   const auto vertex = [&](LocalIndex s) { return whole_.vertex_of_split[at(s)]; };
   const auto lower_end = [&](LocalIndex e) { return whole_.edge_ends[at(2 * e)]; };
@@ -156,10 +162,10 @@ Mesh MeshCutter::part(int rank) const {
     part.edge_ends.push_back(local_vertex[at(whole_.edge_ends[at(2 * e)])]);
     part.edge_ends.push_back(local_vertex[at(whole_.edge_ends[at(2 * e + 1)])]);
   }
-  for (auto& region : part.regions) {
-    renumber(region.vertices, local_vertex);
-    renumber(region.split_vertices, local_split);
-    renumber(region.edges, local_edge);
+  for (auto* region : all_regions(part)) {
+    renumber(region->vertices, local_vertex);
+    renumber(region->split_vertices, local_split);
+    renumber(region->edges, local_edge);
   }
   return part;
 }

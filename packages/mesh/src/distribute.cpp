@@ -22,6 +22,12 @@ class Packer {
     append(values.data(), values.size() * sizeof(T));
   }
   void operator()(const std::string& text) { (*this)(std::vector<char>(text.begin(), text.end())); }
+  template <class T, class Each>
+  void list(const std::vector<T>& values, Each&& each) {
+    (*this)(values.size());
+    for (const auto& value : values)
+      each(value);
+  }
 
   std::vector<char> bytes;
 
@@ -53,6 +59,14 @@ class Unpacker {
     (*this)(letters);
     text.assign(letters.begin(), letters.end());
   }
+  template <class T, class Each>
+  void list(std::vector<T>& values, Each&& each) {
+    std::size_t size = 0;
+    (*this)(size);
+    values.resize(size);
+    for (auto& value : values)
+      each(value);
+  }
 
  private:
   void take(void* data, std::size_t size) {
@@ -71,6 +85,20 @@ void visit_points(Archive& archive, Points& points) {
   archive(points.owners);
 }
 
+template <class Archive, class AnyRegion>
+void visit_region(Archive& archive, AnyRegion& region) {
+  archive(region.name);
+  archive(region.dimension);
+  archive(region.shape);
+  archive(region.vertices_per_cell);
+  archive(region.edges_per_cell);
+  archive(region.cell_ids);
+  archive(region.cell_owners);
+  archive(region.vertices);
+  archive(region.split_vertices);
+  archive(region.edges);
+}
+
 // One list of members for both directions, so that they cannot disagree.
 template <class Archive, class AnyMesh>
 void visit(Archive& archive, AnyMesh& mesh) {
@@ -81,40 +109,27 @@ void visit(Archive& archive, AnyMesh& mesh) {
   archive(mesh.coordinates);
   archive(mesh.vertex_of_split);
   archive(mesh.edge_ends);
-  for (auto& region : mesh.regions) {
-    archive(region.name);
-    archive(region.dimension);
-    archive(region.shape);
-    archive(region.vertices_per_cell);
-    archive(region.edges_per_cell);
-    archive(region.cell_ids);
-    archive(region.cell_owners);
-    archive(region.vertices);
-    archive(region.split_vertices);
-    archive(region.edges);
-  }
+  visit_region(archive, mesh.body);
+  archive.list(mesh.regions, [&](auto& region) { visit_region(archive, region); });
+  archive.list(mesh.derived, [&](auto& derived) {
+    auto& [domain, region] = derived;
+    archive.list(domain.regions, [&](auto& name) { archive(name); });
+    archive(domain.kind);
+    archive(domain.point);
+    visit_region(archive, region);
+  });
 }
 
-void send(const Mesh& part, MPI_Comm comm, int rank) {
+void send(const Mesh& part, const Communicator& communicator, int rank) {
   Packer packer;
-  packer(part.regions.size());
   visit(packer, part);
-  MPI_Send(packer.bytes.data(), static_cast<int>(packer.bytes.size()), MPI_BYTE, rank, 0, comm);
+  communicator.send(packer.bytes, rank);
 }
 
 Mesh receive(const Communicator& communicator) {
-  MPI_Status status;
-  MPI_Probe(0, 0, communicator.mpi(), &status);
-  int size = 0;
-  MPI_Get_count(&status, MPI_BYTE, &size);
-  std::vector<char> bytes(static_cast<std::size_t>(size));
-  MPI_Recv(bytes.data(), size, MPI_BYTE, 0, 0, communicator.mpi(), MPI_STATUS_IGNORE);
-  Unpacker unpacker(std::move(bytes));
+  Unpacker unpacker(communicator.receive(0));
   Mesh part;
   part.communicator = communicator;
-  std::size_t regions = 0;
-  unpacker(regions);
-  part.regions.resize(regions);
   visit(unpacker, part);
   return part;
 }
@@ -126,7 +141,7 @@ Mesh distribute(const Communicator& communicator, const Mesh& whole,
   if (!communicator.is_root()) return receive(communicator);
   const MeshCutter cutter(whole, owner_of_vertex, communicator.size());
   for (int rank = 1; rank < communicator.size(); ++rank) {
-    send(cutter.part(rank), communicator.mpi(), rank);
+    send(cutter.part(rank), communicator, rank);
   }
   return cutter.part(0);
 }

@@ -1,6 +1,7 @@
 #include "hawser/mesh/mesh.hpp"
 
-#include <algorithm>
+#include <map>
+#include <numeric>
 
 #include "distribute.hpp"
 #include "graph.hpp"
@@ -9,26 +10,36 @@
 
 namespace hawser {
 
-bool Mesh::has_body() const {
-  return std::any_of(regions.begin(), regions.end(),
-                     [](const Region& region) { return region.shape == CellShape::triangle; });
-}
-
 const char* Mesh::per_depth() const { return dimension == 2 && has_body() ? "/m" : ""; }
 
-const Region* Mesh::find(const std::string& name) const {
+const Region* Mesh::find(const Domain& domain) const {
   for (const auto& region : regions) {
-    if (region.name == name) return &region;
+    if (domain.is_region() && region.name == domain.regions[0]) return &region;
+  }
+  for (const auto& [made, region] : derived) {
+    if (made == domain) return &region;
   }
   return nullptr;
 }
 
-const Region& Mesh::region(const std::string& name) const {
-  if (const auto* found = find(name)) return *found;
+const Region& Mesh::region(const Domain& domain) const {
+  if (const auto* found = find(domain)) return *found;
   std::string names;
   for (const auto& region : regions)
     names += (names.empty() ? "" : ", ") + region.name;
-  throw MeshError("the mesh has no region '" + name + "'; it has " + names);
+  throw MeshError("the mesh has no region '" + domain.text() + "'; it has " + names);
+}
+
+std::vector<LocalIndex> places_in(const Region& whole, const Region& part) {
+  std::vector<LocalIndex> places(at(part.size()));
+  std::iota(places.begin(), places.end(), 0);
+  if (&part == &whole) return places;
+  std::map<std::vector<LocalIndex>, LocalIndex> place_of;
+  for (LocalIndex c = 0; c < whole.size(); ++c)
+    place_of.emplace(sorted_vertices(whole, c), c);
+  for (auto& place : places)
+    place = place_of.at(sorted_vertices(part, place));
+  return places;
 }
 
 Mesh read_mesh(const Communicator& communicator, const MeshOptions& options) {
@@ -38,7 +49,7 @@ Mesh read_mesh(const Communicator& communicator, const MeshOptions& options) {
   communicator.on_root([&] {
     whole = check_and_number(read_msh(options.file), options.dimension);
     whole.communicator = communicator;
-    add_topology(whole, options.slits);
+    add_topology(whole, options);
     const auto graph = make_graph(whole.vertices.size(), whole.edge_ends);
     owner_of_vertex = partition(graph, communicator.size());
   });

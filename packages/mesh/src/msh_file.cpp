@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-// gmsh's numbers of the element types that Hawser reads
+// gmsh's numbers of the element types that Hawser reads. One more shape is one more case here.
 std::optional<CellShape> shape_of(long long type) {
   switch (type) {
     case 15: return CellShape::point;
@@ -216,7 +216,7 @@ class MshReader {
     }
     const int dimension = traits(*shape).dimension;
     MshElement element{tag, in_.line(), *shape, 0, {}};
-    for (int k = 0; k <= dimension; ++k) {
+    for (int k = 0; k < traits(*shape).vertices; ++k) {
       element.nodes[static_cast<std::size_t>(k)] = in_.integer("a node of " + name);
     }
     in_.end("the nodes of " + name);

@@ -24,9 +24,9 @@ struct MshGroup {
 struct MshElement {
   long long tag;
   int line;
-  CellShape shape;  ///< point, line or triangle
+  CellShape shape;
   int group;
-  std::array<long long, 3> nodes;
+  std::array<long long, 8> nodes;  ///< as many as the shape has vertices
 };
 
 struct MshFile {

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "hawser/base/error.hpp"
 
 namespace hawser {
 namespace {
-
-CellShape shape_of_dimension(int dimension) {
-  return dimension == 0 ? CellShape::point : dimension == 1 ? CellShape::line : CellShape::triangle;
-}
 
 class Numbering {
  public:
@@ -100,12 +97,17 @@ class Numbering {
                         (dimension_ == 2 ? "only 0, 1 and 2 are read"
                                          : "in space only points and lines are read"));
       }
-      mesh.regions.push_back(make_region(group.name, shape_of_dimension(group.dimension)));
+      mesh.regions.push_back(make_region(group.name, CellShape::point));  // until its first cell
     }
     elements_.resize(mesh.regions.size());
     for (const auto& element : file_.elements) {
       auto& region = mesh.regions[static_cast<std::size_t>(element.group)];
       elements_[static_cast<std::size_t>(element.group)].push_back(&element);
+      if (region.size() == 0) region = make_region(region.name, element.shape);
+      if (region.shape != element.shape)
+        fail(element.line, name(element) + " makes '" + region.name + "' a group of both " +
+                               traits(region.shape).plural + " and " +
+                               traits(element.shape).plural + "; each must have its own");
       region.cell_ids.push_back(region.size());
       add_cell(mesh, region, element);
     }
@@ -128,27 +130,30 @@ class Numbering {
       }
       cell.push_back(vertex);
     }
-    if (region.shape == CellShape::triangle) {
-      const auto x = [&](std::size_t k) { return &mesh.coordinates[2 * std::size_t(cell[k])]; };
-      const double quality = triangle_quality(x(0), x(1), x(2));
-      // Far below what any mesher writes, far above the round-off of three points on a line.
-      if (std::abs(quality) < 1e-10) {
-        fail(element.line, name(element) + " of '" + region.name + "' is a triangle without area");
+    if (region.dimension == 2) {
+      double least = 1, most = -1;  // of the triangles at the corners
+      const auto x = [&](std::size_t k) {
+        return &mesh.coordinates[2 * std::size_t(cell[k % cell.size()])];
+      };
+      for (std::size_t k = 0; k < cell.size(); ++k) {
+        const double quality = triangle_quality(x(k), x(k + 1), x(k + 2));
+        least = std::min(least, quality);
+        most = std::max(most, quality);
       }
-      if (quality < 0) std::swap(cell[1], cell[2]);
+      // Far below what any mesher writes, far above the round-off of three points on a line.
+      constexpr double flat = 1e-10;
+      if (least < flat && most > -flat)
+        fail(element.line, name(element) + " of '" + region.name + "' is flat or folded over");
+      if (most < 0) std::reverse(cell.begin() + 1, cell.end());
     }
     region.vertices.insert(region.vertices.end(), cell.begin(), cell.end());
   }
 
   void refuse_repetition(const Region& region,
                          const std::vector<const MshElement*>& elements) const {
-    const auto n = static_cast<std::size_t>(region.vertices_per_cell);
     std::vector<std::pair<std::vector<LocalIndex>, std::size_t>> cells;
-    for (std::size_t c = 0; c < elements.size(); ++c) {
-      const auto* begin = &region.vertices[n * c];
-      cells.emplace_back(std::vector<LocalIndex>(begin, begin + n), c);
-      std::sort(cells.back().first.begin(), cells.back().first.end());
-    }
+    for (std::size_t c = 0; c < elements.size(); ++c)
+      cells.emplace_back(sorted_vertices(region, static_cast<LocalIndex>(c)), c);
     std::sort(cells.begin(), cells.end());
     for (std::size_t c = 1; c < cells.size(); ++c) {
       if (cells[c].first != cells[c - 1].first) continue;
@@ -175,6 +180,20 @@ Region make_region(const std::string& name, CellShape shape) {
   region.vertices_per_cell = traits(shape).vertices;
   region.edges_per_cell = traits(shape).edges;
   return region;
+}
+
+std::vector<LocalIndex> sorted_vertices(const Region& region, LocalIndex cell) {
+  std::vector<LocalIndex> vertices;
+  append_cell(region.vertices, cell, region.vertices_per_cell, vertices);
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+std::string position_text(const Mesh& mesh, LocalIndex vertex) {
+  std::ostringstream text;
+  for (int j = 0; j < mesh.dimension; ++j)
+    text << (j == 0 ? "(" : ", ") << mesh.coordinates[at(mesh.dimension * vertex + j)];
+  return text.str() + ")";
 }
 
 Mesh check_and_number(const MshFile& file, int dimension) {

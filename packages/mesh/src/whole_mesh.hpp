@@ -16,7 +16,34 @@ Region make_region(const std::string& name, CellShape shape);
 /// topology. MeshError.
 Mesh check_and_number(const MshFile& file, int dimension);
 
-/// Adds edges, split vertices, patches and facets. MeshError.
-void add_topology(Mesh& mesh, const std::vector<std::string>& slits);
+/// Adds the body, edges, split vertices and the domains that are asked for. MeshError.
+void add_topology(Mesh& mesh, const MeshOptions& options);
+
+inline std::size_t at(LocalIndex index) { return static_cast<std::size_t>(index); }
+
+/// Appends the entries of one cell to those of another list.
+inline void append_cell(const std::vector<LocalIndex>& from, LocalIndex cell, int per_cell,
+                        std::vector<LocalIndex>& to) {
+  const auto begin = from.begin() + static_cast<std::ptrdiff_t>(cell) * per_cell;
+  to.insert(to.end(), begin, begin + per_cell);
+}
+
+/// The same set of vertices is the same cell, wherever it begins.
+std::vector<LocalIndex> sorted_vertices(const Region& region, LocalIndex cell);
+
+/// "(x, y)" of a vertex, for messages.
+std::string position_text(const Mesh& mesh, LocalIndex vertex);
+
+/// The body, the named regions and what is derived from them, in an order that is that of every
+/// part, too.
+template <class AnyMesh>
+auto all_regions(AnyMesh& mesh) {
+  std::vector<decltype(&mesh.body)> all = {&mesh.body};
+  for (auto& region : mesh.regions)
+    all.push_back(&region);
+  for (auto& derived : mesh.derived)
+    all.push_back(&derived.second);
+  return all;
+}
 
 }  // namespace hawser

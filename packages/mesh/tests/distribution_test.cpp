@@ -50,10 +50,11 @@ void expect_ghosts_by_owner(const PointSet& points) {
 }
 
 // Against the whole mesh, which every rank reads for itself.
-void expect_sound_parts(const MeshText& text, const std::vector<std::string>& slits) {
+void expect_sound_parts(const MeshText& text, const std::vector<std::string>& slits,
+                        const std::vector<Domain>& domains) {
   const Communicator all, alone(MPI_COMM_SELF);
-  const auto part = read_text(all, text.in_format("4.1"), slits);
-  const auto whole = read_mesh(alone, {"test.msh", slits});
+  const auto part = read_text(all, text.in_format("4.1"), slits, domains);
+  const auto whole = read_mesh(alone, {"test.msh", slits, 2, domains});
   for (const auto points : {&Mesh::vertices, &Mesh::split_vertices, &Mesh::edges}) {
     EXPECT_EQ((part.*points).global_count, (whole.*points).owned);
     expect_owned_once(all, part.*points);
@@ -71,9 +72,19 @@ void expect_sound_parts(const MeshText& text, const std::vector<std::string>& sl
 
   const std::set<GlobalIndex> owned(part.vertices.ids.begin(),
                                     part.vertices.ids.begin() + part.vertices.owned);
+  std::vector<const Region*> wanted = {&whole.body}, found = {&part.body};
   ASSERT_EQ(part.regions.size(), whole.regions.size());
-  for (std::size_t r = 0; r < whole.regions.size(); ++r) {
-    const auto &here = part.regions[r], &there = whole.regions[r];
+  for (const auto& region : whole.regions) {
+    wanted.push_back(&region);
+    found.push_back(&part.region(region.name));
+  }
+  ASSERT_EQ(whole.derived.size(), domains.size());
+  for (const auto& domain : domains) {
+    wanted.push_back(&whole.region(domain));
+    found.push_back(&part.region(domain));
+  }
+  for (std::size_t r = 0; r < wanted.size(); ++r) {
+    const auto &here = *found[r], &there = *wanted[r];
     SCOPED_TRACE(there.name);
     EXPECT_EQ(here.name, there.name);
     EXPECT_EQ(here.shape, there.shape);
@@ -107,14 +118,19 @@ TEST(Distribution, OfAGridWithACable) {
   auto text = grid(8, 6);
   text.groups.push_back(line("cable", {28, 29, 30, 31, 32, 33}));
   text.groups.push_back({"tow-point", 0, {{28}}});
-  expect_sound_parts(text, {"cable"});
+  text.groups.push_back(line("branch", {31, 40, 49}));
+  text.groups.push_back({"part", 2, {text.groups[0].cells[3], text.groups[0].cells[40]}});
+  expect_sound_parts(text, {"cable"},
+                     {Domain::patches("cable"), Domain::ends("cable", "tow-point"),
+                      Domain::facets("wall"), Domain(std::vector<std::string>{"cable", "branch"}),
+                      Domain(std::vector<std::string>{"part", "water"})});
 }
 
 TEST(Distribution, OfMoreRanksThanVertices) {
   MeshText text;
   text.nodes = {{0, 0}, {1, 0}, {0, 1}};
   text.groups = {{"water", 2, {{0, 1, 2}}}, {"wall", 1, {{0, 1}}}};
-  expect_sound_parts(text, {});
+  expect_sound_parts(text, {}, {Domain::facets("wall")});
 }
 
 TEST(Distribution, OfAChainAlone) {
@@ -125,7 +141,7 @@ TEST(Distribution, OfAChainAlone) {
     vertices.push_back(k);
   }
   text.groups = {line("chain", vertices)};
-  expect_sound_parts(text, {});
+  expect_sound_parts(text, {}, {Domain::patches("chain")});
 }
 
 TEST(Distribution, IsBalancedAndTheSameAgain) {

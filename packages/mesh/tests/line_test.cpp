@@ -6,6 +6,7 @@
 
 #include "hawser/mesh/generate.hpp"
 #include "hawser/mesh/mesh.hpp"
+#include "mesh_text.hpp"
 
 namespace hawser {
 namespace {
@@ -13,7 +14,11 @@ namespace {
 Mesh make_line(const LineMesh& line) {
   const Communicator all;
   generate_mesh(all, line, "line.msh");
-  return read_mesh(all, {"line.msh", {}, static_cast<int>(line.from.size())});
+  return read_mesh(all, {"line.msh",
+                         {},
+                         static_cast<int>(line.from.size()),
+                         {Domain::patches("cable"), Domain::ends("cable", "tow-point"),
+                          Domain::ends("cable", "middle"), Domain::ends("cable", "tail")}});
 }
 
 const double* position(const Mesh& mesh, LocalIndex vertex) {
@@ -55,17 +60,10 @@ TEST(Line, HasPointsAtItsEndsAndInItsMiddle) {
 
 TEST(Line, HasPatchesAroundInnerNodesAndCellsThatBeginAtPoints) {
   const Mesh mesh = make_line({{0, 0}, {8, 0}, 4});
-  const auto count = [&](const std::string& name) {
-    const Region& region = mesh.region(name);
-    long long cells = 0;
-    for (const int owner : region.cell_owners)
-      cells += owner == mesh.communicator.rank() ? 1 : 0;
-    return mesh.communicator.sum(cells);
-  };
-  EXPECT_EQ(count("cable/patches"), 3);
-  EXPECT_EQ(count("cable/tow-point"), 1);
-  EXPECT_EQ(count("cable/middle"), 2);
-  const Region& tail = mesh.region("cable/tail");
+  EXPECT_EQ(count_cells(mesh, Domain::patches("cable")), 3);
+  EXPECT_EQ(count_cells(mesh, Domain::ends("cable", "tow-point")), 1);
+  EXPECT_EQ(count_cells(mesh, Domain::ends("cable", "middle")), 2);
+  const Region& tail = mesh.region(Domain::ends("cable", "tail"));
   for (LocalIndex cell = 0; cell < tail.size(); ++cell) {
     EXPECT_EQ(position(mesh, tail.vertices[static_cast<std::size_t>(2 * cell)])[0], 8);
     EXPECT_EQ(position(mesh, tail.vertices[static_cast<std::size_t>(2 * cell + 1)])[0], 6);

@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
               ":19: '4' is too much after the nodes of element 2"},
         Fault{"SameNode", "2 2 1 2 3", "2 2 1 2 2", ":19: element 2 names node 2 twice"},
         Fault{"NoArea", "2 2 1 2 3", "2 2 1 2 4",
-              ":19: element 2 of 'water' is a triangle without area"},
+              ":19: element 2 of 'water' is flat or folded over"},
         Fault{"NoName", "2 2 2 2 2", "2 2 2 5 2",
               ":19: element 2 belongs to physical group 5 of dimension 2, which has no name in "
               "$PhysicalNames"},
@@ -109,7 +109,7 @@ TEST(Malformed, OverlappingTriangles) {
   auto text = grid(1, 1);
   text.groups[0].cells.push_back({0, 1, 2});
   EXPECT_THAT([&] { read_text(Communicator(), text.in_format("4.1")); },
-              testing::ThrowsMessage<MeshError>("two triangles overlap on the same side of the "
+              testing::ThrowsMessage<MeshError>("two cells overlap on the same side of the "
                                                 "edge from (0, 0) to (1, 0)"));
 }
 

@@ -110,6 +110,14 @@ inline MeshText grid(int nx, int ny) {
   return mesh;
 }
 
+/// Over all ranks.
+inline long long count_cells(const Mesh& mesh, const Domain& domain) {
+  long long mine = 0;
+  for (const int owner : mesh.region(domain).cell_owners)
+    mine += owner == mesh.communicator.rank() ? 1 : 0;
+  return mesh.communicator.sum(mine);
+}
+
 /// The lines that join the given vertices one after the other.
 inline MeshText::Group line(const std::string& name, const std::vector<int>& vertices) {
   MeshText::Group group{name, 1, {}};
@@ -121,10 +129,11 @@ inline MeshText::Group line(const std::string& name, const std::vector<int>& ver
 
 /// Writes on rank 0 and reads on all; the file stays.
 inline Mesh read_text(const Communicator& communicator, const std::string& text,
-                      const std::vector<std::string>& slits = {}) {
+                      const std::vector<std::string>& slits = {},
+                      const std::vector<Domain>& domains = {}) {
   if (communicator.is_root()) std::ofstream("test.msh") << text;
   MPI_Barrier(communicator.mpi());
-  return read_mesh(communicator, {"test.msh", slits});
+  return read_mesh(communicator, {"test.msh", slits, 2, domains});
 }
 
 }  // namespace hawser

@@ -58,24 +58,18 @@ TEST_P(BothFormats, TurnsTrianglesCounterClockwise) {
   }
 }
 
-TEST_P(BothFormats, ReadsATriangleOfTwoRegionsInBoth) {
-  auto text = grid(2, 2);
-  text.groups.push_back({"part", 2, {text.groups[0].cells[2], text.groups[0].cells[5]}});
-  const auto mesh = read(text);
-  EXPECT_EQ(mesh.region("water").size(), 8);
-  EXPECT_THAT(mesh.region("part").split_vertices, testing::SizeIs(6));
-  EXPECT_EQ(mesh.region("wall/facets").size(), 8);
-}
-
 TEST(Read, AChainOfLinesAlone) {
   MeshText text;
   for (int k = 0; k < 5; ++k)
     text.nodes.push_back({double(k), 0});
   text.groups = {line("chain", {0, 1, 2, 3, 4})};
-  const auto mesh = read_text(Communicator(), text.in_format("4.1"));
+  const auto mesh =
+      read_text(Communicator(), text.in_format("4.1"), {}, {Domain::patches("chain")});
   EXPECT_EQ(mesh.vertices.global_count, 5);
   EXPECT_EQ(mesh.split_vertices.global_count, 0);
-  EXPECT_EQ(mesh.region("chain/patches").size(), 3);
+  EXPECT_FALSE(mesh.has_body());
+  EXPECT_EQ(mesh.force_unit(), "N");
+  EXPECT_EQ(mesh.region(Domain::patches("chain")).size(), 3);
 }
 
 TEST(Read, AnEntityOfTwoPhysicalGroupsAndSkippedSections) {
@@ -116,18 +110,19 @@ $EndElements
 $Periodic
 0
 $EndPeriodic
-)");
+)",
+                              {}, {Domain::facets("floor")});
   EXPECT_EQ(mesh.vertices.global_count, 3);
   EXPECT_EQ(mesh.region("wall").size(), 1);
-  EXPECT_EQ(mesh.region("floor/facets").size(), 1);
+  EXPECT_EQ(mesh.region(Domain::facets("floor")).size(), 1);
 }
 
 TEST(Read, UnknownRegionNamesThoseThatAreThere) {
   const auto mesh = read_text(Communicator(), grid(1, 1).in_format("2.2"));
   EXPECT_EQ(mesh.find("cable"), nullptr);
-  EXPECT_THAT([&] { mesh.region("cable"); },
-              testing::ThrowsMessage<MeshError>(
-                  "the mesh has no region 'cable'; it has water, wall, wall/facets"));
+  EXPECT_THAT(
+      [&] { mesh.region("cable"); },
+      testing::ThrowsMessage<MeshError>("the mesh has no region 'cable'; it has water, wall"));
 }
 
 TEST(Quality, OfKnownTriangles) {

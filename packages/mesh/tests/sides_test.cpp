@@ -1,4 +1,4 @@
-// Sides of slits, patches and facets on a 4 by 4 grid; vertex (i, j) is number i + 5 j.
+// Sides of slits on a 4 by 4 grid; vertex (i, j) is number i + 5 j.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -84,7 +84,6 @@ TEST(Sides, ABranchHasAPartPerSector) {
   cable.cells.push_back({at(2, 2), at(2, 3)});
   const auto mesh = with_cable(cable);
   EXPECT_EQ(doubled(mesh), (std::map<int, int>{{at(2, 2), 3}}));
-  EXPECT_EQ(mesh.communicator.sum(static_cast<long long>(mesh.region("cable/patches").size())), 0);
 }
 
 TEST(Sides, AClosedLoopSeparatesInsideFromOutside) {
@@ -98,44 +97,6 @@ TEST(Sides, PartsOfTheBodyThatMeetInAPointShareOneSplitVertex) {
   text.groups = {{"water", 2, {{0, 1, 2}, {0, 3, 4}}}};
   const auto mesh = read_text(Communicator(), text.in_format("2.2"));
   EXPECT_EQ(mesh.split_vertices.global_count, 5);
-}
-
-TEST(Patches, FollowTheLine) {
-  const auto mesh = with_cable(line("cable", {at(3, 2), at(2, 2), at(1, 2), at(1, 1)}));
-  const auto& patches = mesh.region("cable/patches");
-  EXPECT_EQ(patches.shape, CellShape::patch);
-  EXPECT_EQ(mesh.find("cable/facets"), nullptr);
-  for (std::size_t c = 0; c < patches.cell_ids.size(); ++c) {
-    std::vector<GlobalIndex> ids;
-    for (std::size_t k = 3 * c; k < 3 * c + 3; ++k) {
-      ids.push_back(mesh.vertices.ids[std::size_t(patches.vertices[k])]);
-    }
-    // Patches are numbered by their middle vertices: (1, 2), then (2, 2).
-    const std::vector<GlobalIndex> expected[] = {{at(2, 2), at(1, 2), at(1, 1)},
-                                                 {at(3, 2), at(2, 2), at(1, 2)}};
-    EXPECT_EQ(ids, expected[patches.cell_ids[c]]);
-  }
-}
-
-TEST(Facets, HaveTheBodyOnTheLeft) {
-  const auto mesh = with_cable(line("cable", {at(0, 2), at(1, 2), at(2, 2)}));
-  const auto& facets = mesh.region("wall/facets");
-  EXPECT_EQ(mesh.find("wall/patches"), nullptr);
-  double enclosed = 0;
-  for (std::size_t c = 0; c < facets.cell_ids.size(); ++c) {
-    const auto x = [&](std::size_t k) {
-      return &mesh.coordinates[2 * std::size_t(facets.vertices[3 * c + k])];
-    };
-    EXPECT_GT(triangle_quality(x(0), x(1), x(2)), 0);
-    if (facets.cell_owners[c] == mesh.communicator.rank()) {
-      enclosed += (x(0)[0] * x(1)[1] - x(0)[1] * x(1)[0]) / 2;
-    }
-    for (std::size_t k = 3 * c; k < 3 * c + 3; ++k) {
-      const auto split = std::size_t(facets.split_vertices[k]);
-      EXPECT_EQ(mesh.vertex_of_split[split], facets.vertices[k]);
-    }
-  }
-  EXPECT_DOUBLE_EQ(mesh.communicator.sum(enclosed), 16);
 }
 
 }  // namespace

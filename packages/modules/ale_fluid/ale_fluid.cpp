@@ -10,7 +10,7 @@ namespace hawser {
 namespace {
 
 struct Outflow {
-  std::string on;
+  Domain on;
   double pressure = 0;
   double backflow = 0;
   bool keeps_poiseuille = true;
@@ -18,7 +18,7 @@ struct Outflow {
   static Spec<Outflow> spec() {
     using P = Outflow;
     return Spec<P>("outflow", "A boundary through which the fluid leaves.")
-        .attribute("on", &P::on, required(), "Boundary region.")
+        .attribute("on", &P::on, required(), "Boundary regions.")
         .choice("kind", &P::keeps_poiseuille, required(),
                 {{"pressure", true}, {"traction-free", false}},
                 "What the outside does: \"pressure\" is t = -p0 n + mu (grad v)^T n, which leaves "
@@ -32,7 +32,7 @@ struct Outflow {
 };
 
 struct AleFluid {
-  std::string region;
+  Domain region;
   double density = 1000;
   double viscosity = 1;
   Expressions body_force = {0, 0};
@@ -45,7 +45,7 @@ struct AleFluid {
                    "pressure with "
                    "SUPG, PSPG and LSIC stabilisation.")
         .source("packages/modules/ale_fluid/theory.md")
-        .attribute("region", &P::region, required(), "Region that the fluid fills.")
+        .attribute("region", &P::region, required(), "Regions that the fluid fills.")
         .attribute("density", &P::density, "kg/m^3", positive(), "Mass density.")
         .attribute("viscosity", &P::viscosity, "Pa s", required() && positive(),
                    "Dynamic viscosity (density times the kinematic, or eddy, viscosity).")
@@ -70,8 +70,9 @@ PhysicsModule make_ale_fluid(const AleFluid& deck) {
   module.kernels.push_back(make_fluid_kernel(deck));
   for (const Outflow& outflow : deck.outflows)
     module.kernels.push_back(std::make_unique<OutflowKernel>(
-        outflow.on + "/facets", OutflowProperties{outflow.pressure, deck.density, deck.viscosity,
-                                                  outflow.keeps_poiseuille, outflow.backflow}));
+        Domain::facets(outflow.on),
+        OutflowProperties{outflow.pressure, deck.density, deck.viscosity, outflow.keeps_poiseuille,
+                          outflow.backflow}));
   return module;
 }
 

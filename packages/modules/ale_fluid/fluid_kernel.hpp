@@ -51,8 +51,8 @@ class FluidKernel : public PointKernel<FluidKernel<Force>> {
   static constexpr Slot<1> pressure{};
   static constexpr Slot<2> displacement{};
 
-  FluidKernel(std::string region, const FluidProperties& properties, Force force)
-      : PointKernel<FluidKernel>(std::move(region)),
+  FluidKernel(Domain domain, const FluidProperties& properties, Force force)
+      : PointKernel<FluidKernel>(std::move(domain)),
         properties_(properties),
         force_(std::move(force)) {}
 

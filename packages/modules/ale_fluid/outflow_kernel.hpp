@@ -26,7 +26,7 @@ class OutflowKernel : public ElementKernel<OutflowKernel> {
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;
 
-  OutflowKernel(std::string facets, const OutflowProperties& properties)
+  OutflowKernel(Domain facets, const OutflowProperties& properties)
       : ElementKernel(std::move(facets)), properties_(properties) {}
 
   template <class Element, class T>

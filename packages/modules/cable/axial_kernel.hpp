@@ -75,8 +75,8 @@ class CableKernel : public ElementKernel<CableKernel<D>> {
   static constexpr int displacement = 1;
 
   /// `weight`: N per reference length.
-  CableKernel(std::string region, const CableProperties& cable, const Vector<double, D>& weight)
-      : ElementKernel<CableKernel>(std::move(region)), cable_(cable), weight_(weight) {}
+  CableKernel(Domain domain, const CableProperties& cable, const Vector<double, D>& weight)
+      : ElementKernel<CableKernel>(std::move(domain)), cable_(cable), weight_(weight) {}
 
   template <class Element, class T>
   void element_residual(const Element& at, T* out) const {

@@ -45,7 +45,7 @@ class BendingKernel : public ElementKernel<BendingKernel<D>> {
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;
 
-  BendingKernel(std::string patches, double bending_stiffness)
+  BendingKernel(Domain patches, double bending_stiffness)
       : ElementKernel<BendingKernel>(std::move(patches)), bending_stiffness_(bending_stiffness) {}
 
   template <class Element, class T>
@@ -81,9 +81,8 @@ class ClampKernel : public ElementKernel<ClampKernel<D>> {
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;
 
-  ClampKernel(std::string cells_at_point, double bending_stiffness)
-      : ElementKernel<ClampKernel>(std::move(cells_at_point)),
-        bending_stiffness_(bending_stiffness) {}
+  ClampKernel(Domain ends, double bending_stiffness)
+      : ElementKernel<ClampKernel>(std::move(ends)), bending_stiffness_(bending_stiffness) {}
 
   template <class Element, class T>
   void element_residual(const Element& at, T* out) const {

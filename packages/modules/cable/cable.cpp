@@ -35,20 +35,20 @@ struct Drag : DragProperties {
 };
 
 struct PointLoad {
-  std::string on;
+  Domain on;
   Located<Expressions> force;
 
   static Spec<PointLoad> spec() {
     using P = PointLoad;
     return Spec<P>("point-load", "A force at a point of the cable.")
-        .attribute("on", &P::on, required(), "Point region.")
+        .attribute("on", &P::on, required(), "Point regions.")
         .attribute("force", &P::force, "N", required() && any(),
                    "A number or expression per direction, of x y z (moved), X Y Z (reference), t.");
   }
 };
 
 struct Cable : CableProperties {
-  std::string region;
+  Domain region;
   Located<std::vector<double>> gravity;
   std::optional<double> submerged_weight;
   std::vector<std::string> clamped;
@@ -63,7 +63,8 @@ struct Cable : CableProperties {
                    "compression, in the plane or in space; in a flow in the plane all quantities "
                    "are per metre of depth.")
         .source("packages/modules/cable/theory.md")
-        .attribute("region", &P::region, required(), "Line region of the cable.")
+        .attribute("region", &P::region, required(),
+                   "Line regions of the cable; where two of them meet end to end it goes on.")
         .attribute("mass-per-length", &P::mass, "kg/m", positive(), "Inertia per length.")
         .attribute("axial-stiffness", &P::axial_stiffness, "N", positive(), "Axial stiffness EA.")
         .attribute("bending-stiffness", &P::bending_stiffness, "N m^2", non_negative(),
@@ -131,10 +132,10 @@ PhysicsModule make_cable(const Cable& deck) {
         std::make_unique<CableDragKernel<D>>(deck.region, *deck.drag, deck.drag->current.value));
   if (deck.bending_stiffness == 0) return module;
   module.kernels.push_back(
-      std::make_unique<BendingKernel<D>>(deck.region + "/patches", deck.bending_stiffness));
+      std::make_unique<BendingKernel<D>>(Domain::patches(deck.region), deck.bending_stiffness));
   for (const std::string& point : deck.clamped)
     module.kernels.push_back(
-        std::make_unique<ClampKernel<D>>(deck.region + "/" + point, deck.bending_stiffness));
+        std::make_unique<ClampKernel<D>>(Domain::ends(deck.region, point), deck.bending_stiffness));
   return module;
 }
 

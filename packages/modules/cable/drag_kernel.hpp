@@ -29,8 +29,8 @@ class CableDragKernel : public ElementKernel<CableDragKernel<D>> {
   static constexpr int displacement = 1;
 
   /// `current`: m/s, one expression per direction.
-  CableDragKernel(std::string region, const DragProperties& drag, Expressions current)
-      : ElementKernel<CableDragKernel>(std::move(region)), current_(std::move(current)) {
+  CableDragKernel(Domain domain, const DragProperties& drag, Expressions current)
+      : ElementKernel<CableDragKernel>(std::move(domain)), current_(std::move(current)) {
     constexpr double pi = 3.14159265358979323846;
     normal_ = 0.5 * drag.density * drag.normal * drag.diameter;
     tangential_ = 0.5 * drag.density * drag.tangential * pi * drag.diameter;

@@ -42,8 +42,8 @@ class CableLoadKernel : public ElementKernel<CableLoadKernel<D>> {
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;
 
-  CableLoadKernel(std::string region, Expressions load)
-      : ElementKernel<CableLoadKernel>(std::move(region)), load_(std::move(load)) {}
+  CableLoadKernel(Domain domain, Expressions load)
+      : ElementKernel<CableLoadKernel>(std::move(domain)), load_(std::move(load)) {}
 
   template <class Element, class T>
   void element_residual(const Element& at, T* out) const {
@@ -78,7 +78,7 @@ class PointLoadKernel : public ElementKernel<PointLoadKernel<D>> {
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;
 
-  PointLoadKernel(std::string points, Expressions force)
+  PointLoadKernel(Domain points, Expressions force)
       : ElementKernel<PointLoadKernel>(std::move(points)), force_(std::move(force)) {}
 
   template <class Element, class T>

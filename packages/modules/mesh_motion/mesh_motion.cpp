@@ -7,7 +7,7 @@ namespace hawser {
 namespace {
 
 struct MeshMotion : MeshStiffness {
-  std::string region;
+  Domain region;
   Expressions body_force;
 
   static Spec<MeshMotion> spec() {
@@ -15,7 +15,7 @@ struct MeshMotion : MeshStiffness {
     return Spec<P>("mesh-motion",
                    "Moves the mesh as a linear elastic body, stiffer where cells are small.")
         .source("packages/modules/mesh_motion/theory.md")
-        .attribute("region", &P::region, required(), "Region whose mesh moves.")
+        .attribute("region", &P::region, required(), "Regions whose mesh moves.")
         .choice(
             "reference", &P::incremental, {{"incremental", true}, {"total", false}},
             "Elastic about the last accepted configuration (long tows) or about the initial one "

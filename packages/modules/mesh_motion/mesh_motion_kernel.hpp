@@ -34,8 +34,8 @@ class MeshMotionKernel : public PointKernel<MeshMotionKernel<Load>> {
       Role::governs, need::gradient | need::accepted | Load::displacement_needs)};
   static constexpr Slot<0> displacement{};
 
-  MeshMotionKernel(std::string region, const MeshStiffness& stiffness, Load load)
-      : PointKernel<MeshMotionKernel>(std::move(region)),
+  MeshMotionKernel(Domain domain, const MeshStiffness& stiffness, Load load)
+      : PointKernel<MeshMotionKernel>(std::move(domain)),
         stiffness_(stiffness),
         load_(std::move(load)) {}
 

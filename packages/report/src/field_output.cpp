@@ -13,8 +13,7 @@ std::vector<GlobalIndex> owned_ids(const PointSet& points) {
   return {points.ids.begin(), points.ids.begin() + points.owned};
 }
 
-/// Every triangle of the mesh; vertices are doubled along slits so that the pressure's jump is
-/// seen.
+/// Every cell of the body; vertices are doubled along slits so that the pressure's jump is seen.
 Grid flow_grid(const Mesh& mesh) {
   Grid grid;
   grid.name = "flow";
@@ -22,15 +21,13 @@ Grid flow_grid(const Mesh& mesh) {
   grid.dimension = mesh.dimension;
   grid.point_count = mesh.split_vertices.global_count;
   grid.point_ids = owned_ids(mesh.split_vertices);
-  for (const Region& region : mesh.regions) {
-    if (region.shape != CellShape::triangle) continue;
-    for (std::size_t cell = 0; cell < region.cell_ids.size(); ++cell) {
-      if (region.cell_owners[cell] != mesh.communicator.rank()) continue;
-      grid.cell_ids.push_back(region.cell_ids[cell]);
-      for (std::size_t k = 0; k < 3; ++k)
-        grid.cells.push_back(
-            mesh.split_vertices.ids[static_cast<std::size_t>(region.split_vertices[3 * cell + k])]);
-    }
+  const Region& body = mesh.body;
+  for (std::size_t cell = 0; cell < body.cell_ids.size(); ++cell) {
+    if (body.cell_owners[cell] != mesh.communicator.rank()) continue;
+    grid.cell_ids.push_back(body.cell_ids[cell]);
+    for (std::size_t k = 0; k < 3; ++k)
+      grid.cells.push_back(
+          mesh.split_vertices.ids[static_cast<std::size_t>(body.split_vertices[3 * cell + k])]);
   }
   grid.cell_count = mesh.communicator.sum(static_cast<long long>(grid.cell_ids.size()));
   return grid;
@@ -93,12 +90,12 @@ FieldOutput::FieldOutput(const Assembler& assembler, const std::vector<PhysicsMo
   std::set<std::string> names;
   for (const PhysicsModule& module : modules)
     for (const auto& kernel : module.kernels)
-      names.insert(kernel->region());
+      if (const Domain& domain = kernel->domain(); domain.kind != Domain::Kind::facets)
+        names.insert(domain.regions.begin(), domain.regions.end());
   for (const auto& report : reports)
     if (report->line() != nullptr) names.insert(report->line()->region().name);
   for (const Region& region : mesh.regions)
-    if (region.shape == CellShape::line && region.name.find('/') == std::string::npos &&
-        names.count(region.name) > 0)
+    if (region.shape == CellShape::line && names.count(region.name) > 0)
       add_line(region, folder, keep_until);
 }
 

@@ -17,45 +17,37 @@ MeshFigures inspect_mesh(const DofMap& dofs, const State& state) {
     return first < 0 ? 0.0 : values[static_cast<std::size_t>(first) + j];
   };
   MeshFigures result;
-  double quality_sum = 0;
-  long long cells = 0;
-  for (const Region& region : mesh.regions) {
-    if (region.shape != CellShape::triangle) continue;
-    for (LocalIndex cell = 0; cell < region.size(); ++cell) {
-      if (region.cell_owners[static_cast<std::size_t>(cell)] != mesh.communicator.rank()) continue;
-      double x[3][2];
-      double c[2] = {0, 0};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const LocalIndex vertex = region.vertices[3 * static_cast<std::size_t>(cell) + k];
-        for (std::size_t j = 0; j < 2; ++j) {
-          x[k][j] = mesh.coordinates[static_cast<std::size_t>(vertex) * 2 + j] +
-                    nodal(displacement, vertex, state.value, j);
-          c[j] += (nodal(velocity, vertex, state.value, j) -
-                   nodal(displacement, vertex, state.rate, j)) /
-                  3;
-        }
+  const Region& body = mesh.body;
+  for (LocalIndex cell = 0; cell < body.size(); ++cell) {
+    if (body.cell_owners[static_cast<std::size_t>(cell)] != mesh.communicator.rank()) continue;
+    double x[3][2];
+    double c[2] = {0, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const LocalIndex vertex = body.vertices[3 * static_cast<std::size_t>(cell) + k];
+      for (std::size_t j = 0; j < 2; ++j) {
+        x[k][j] = mesh.coordinates[static_cast<std::size_t>(vertex) * 2 + j] +
+                  nodal(displacement, vertex, state.value, j);
+        c[j] +=
+            (nodal(velocity, vertex, state.value, j) - nodal(displacement, vertex, state.rate, j)) /
+            3;
       }
-      const double quality = triangle_quality(x[0], x[1], x[2]);
-      result.least_quality = std::min(result.least_quality, quality);
-      quality_sum += quality;
-      ++cells;
-      const double twice_area =
-          (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[2][0] - x[0][0]) * (x[1][1] - x[0][1]);
-      double flux = 0;  // sum of |c . grad N|, twice |c| over the cell's length along c
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
-        flux += std::abs(c[0] * (x[a][1] - x[b][1]) + c[1] * (x[b][0] - x[a][0])) /
-                std::abs(twice_area);
-      }
-      if (std::isfinite(state.step))
-        result.courant = std::max(result.courant, 0.5 * flux * state.step);
     }
+    const double quality = triangle_quality(x[0], x[1], x[2]);
+    result.least_quality = std::min(result.least_quality, quality);
+    const double twice_area =
+        (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[2][0] - x[0][0]) * (x[1][1] - x[0][1]);
+    double flux = 0;  // sum of |c . grad N|, twice |c| over the cell's length along c
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+      flux +=
+          std::abs(c[0] * (x[a][1] - x[b][1]) + c[1] * (x[b][0] - x[a][0])) / std::abs(twice_area);
+    }
+    if (std::isfinite(state.step))
+      result.courant = std::max(result.courant, 0.5 * flux * state.step);
   }
   const Communicator& communicator = mesh.communicator;
   result.least_quality = communicator.min(result.least_quality);
   result.courant = communicator.max(result.courant);
-  const long long all = communicator.sum(cells);
-  result.mean_quality = all > 0 ? communicator.sum(quality_sum) / static_cast<double>(all) : 1;
   return result;
 }
 

@@ -160,10 +160,11 @@ ProvidedMesh provide_mesh(const Case& run_case, const std::string& place) {
   }
 }
 
-Mesh read_mesh(const Case& run_case, const std::string& file) {
+Mesh read_mesh(const Case& run_case, const std::string& file, std::vector<Domain> domains) {
   const MeshDeck& deck = run_case.deck().mesh;
   try {
-    return read_mesh(run_case.communicator(), {file, deck.slits, deck.dimension()});
+    return read_mesh(run_case.communicator(),
+                     {file, deck.slits, deck.dimension(), std::move(domains)});
   } catch (const MeshError& error) {
     throw MeshError(deck.location.text() + ": " + error.what());
   }

@@ -56,19 +56,16 @@ struct Quality {
 Quality quality_of(const Mesh& mesh) {
   Quality quality;
   double sum = 0;
-  for (const Region& region : mesh.regions) {
-    if (region.shape != CellShape::triangle) continue;
-    for (std::size_t cell = 0; cell < region.cell_ids.size(); ++cell) {
-      if (region.cell_owners[cell] != mesh.communicator.rank()) continue;
-      const double* corner[3];
-      for (std::size_t k = 0; k < 3; ++k)
-        corner[k] = &mesh.coordinates[static_cast<std::size_t>(region.vertices[3 * cell + k]) *
-                                      static_cast<std::size_t>(mesh.dimension)];
-      const double q = triangle_quality(corner[0], corner[1], corner[2]);
-      quality.least = std::min(quality.least, q);
-      sum += q;
-      ++quality.triangles;
-    }
+  for (std::size_t cell = 0; cell < mesh.body.cell_ids.size(); ++cell) {
+    if (mesh.body.cell_owners[cell] != mesh.communicator.rank()) continue;
+    const double* corner[3];
+    for (std::size_t k = 0; k < 3; ++k)
+      corner[k] = &mesh.coordinates[static_cast<std::size_t>(mesh.body.vertices[3 * cell + k]) *
+                                    static_cast<std::size_t>(mesh.dimension)];
+    const double q = triangle_quality(corner[0], corner[1], corner[2]);
+    quality.least = std::min(quality.least, q);
+    sum += q;
+    ++quality.triangles;
   }
   quality.least = mesh.communicator.min(quality.least);
   quality.triangles = mesh.communicator.sum(quality.triangles);
@@ -115,7 +112,6 @@ std::string make_mesh(const Case& run_case, const std::string& file) {
   if (quality.triangles > 0) text += ", " + quality.text();
   text += "\n";
   for (const Region& region : mesh.regions) {
-    if (region.name.find('/') != std::string::npos) continue;  // made by us
     long long cells = 0;
     for (const int owner : region.cell_owners)
       cells += owner == mesh.communicator.rank() ? 1 : 0;

@@ -49,6 +49,8 @@ class Run {
     const ProvidedMesh mesh = provide_mesh(case_, folder_.file("mesh.msh"));
     if (!mesh.made.empty()) log_->note(mesh.made);
     stepper_ = std::make_unique<Stepper>(case_, mesh.file);
+    for (const std::string& sentence : stepper_->system().mesh.notes)
+      log_->note(sentence);
     record_ = std::make_unique<RunRecord>(*stepper_, folder_, *log_);
     stepper_->observe(teller_);
     stepper_->observe(*record_);

@@ -3,45 +3,12 @@
 #include <algorithm>
 #include <sstream>
 
+#include "hawser/assembly/check_domains.hpp"
 #include "hawser/fields/look_up.hpp"
 #include "hawser/simulation/run_deck.hpp"
 
 namespace hawser {
 namespace {
-
-std::string base_name(const std::string& region) { return region.substr(0, region.find('/')); }
-
-void check_regions(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
-                   Diagnostics& diagnostics) {
-  for (const PhysicsModule& module : modules)
-    for (const auto& kernel : module.kernels) {
-      if (kernel->dimension() != mesh.dimension) {
-        diagnostics.error(module.location, "module '" + module.name + "' is written for " +
-                                               std::to_string(kernel->dimension()) +
-                                               " dimensions, the mesh has " +
-                                               std::to_string(mesh.dimension));
-        break;
-      }
-      const std::string base = base_name(kernel->region());
-      if (base == kernel->region()) {
-        find_region_of(kernel->vertices_per_cell(), mesh, {base, module.location},
-                       "module '" + module.name + "'", diagnostics);
-        continue;
-      }
-      if (mesh.find(kernel->region()) != nullptr) continue;
-      if (find_region(mesh, base, module.location, diagnostics) == nullptr) continue;
-      const std::string part = kernel->region().substr(base.size() + 1);
-      if (part == "facets")
-        diagnostics.error(module.location,
-                          "region '" + base + "' is no line on the boundary of the body");
-      else if (part == "patches")
-        diagnostics.error(module.location, "region '" + base +
-                                               "' is no line inside the body or of at least two "
-                                               "segments");
-      else if (find_region(mesh, part, module.location, diagnostics) != nullptr)
-        diagnostics.error(module.location, "'" + part + "' is no point of region '" + base + "'");
-    }
-}
 
 /// At rest the row of a structure's displacement holds the velocity alone: an incomplete factor
 /// meets a zero on the diagonal there.
@@ -67,10 +34,10 @@ void check_steady(const System& system, const RunDeck& deck) {
 std::unique_ptr<System> build_system(const Case& run_case, const std::string& mesh_file) {
   const RunDeck& deck = run_case.deck();
   auto system = std::make_unique<System>();
-  system->mesh = read_mesh(run_case, mesh_file);
   system->modules = run_case.make_modules();
+  system->mesh = read_mesh(run_case, mesh_file, domains_of(system->modules));
   Diagnostics diagnostics;
-  check_regions(system->mesh, system->modules, diagnostics);
+  check_domains(system->mesh, system->modules, diagnostics);
   diagnostics.throw_if_any();
 
   system->table = gather_fields(system->modules);

@@ -24,12 +24,19 @@ class Communicator {
   long long sum(long long local) const;
   std::string broadcast(const std::string& text) const;  ///< from rank 0
 
+  /// Any number of bytes to another rank, which must receive() them, in pieces of the same size:
+  /// MPI counts in int.
+  void send(const std::vector<char>& bytes, int to, std::size_t piece = largest_piece) const;
+  std::vector<char> receive(int from, std::size_t piece = largest_piece) const;
+
   /// Runs `work` on rank 0 only. An Error thrown there is thrown on every rank, same type and text.
   void on_root(const std::function<void()>& work) const;
 
   /// Runs `work` on every rank. If it throws an Error anywhere, the Error of the lowest such rank
   /// is thrown on all ranks. `work` must not communicate.
   void together(const std::function<void()>& work) const;
+
+  static constexpr std::size_t largest_piece = 1U << 30U;  ///< bytes in one message
 
  private:
   void rethrow_everywhere(int code, const std::string& message) const;

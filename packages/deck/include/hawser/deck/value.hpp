@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "hawser/base/domain.hpp"
 #include "hawser/deck/expression.hpp"
 #include "hawser/deck/location.hpp"
 #include "hawser/deck/rules.hpp"
@@ -35,6 +36,7 @@ std::string read_value(const Reading& reading, Expression& value);
 std::string read_value(const Reading& reading, std::vector<double>& value);
 std::string read_value(const Reading& reading, std::vector<std::string>& value);
 std::string read_value(const Reading& reading, Expressions& value);
+std::string read_value(const Reading& reading, Domain& value);  ///< one or several regions
 
 /// Text that reads back as the same value; "" for an absent one.
 std::string write_value(double value);
@@ -45,6 +47,7 @@ std::string write_value(const Expression& value);
 std::string write_value(const std::vector<double>& value);
 std::string write_value(const std::vector<std::string>& value);
 std::string write_value(const Expressions& value);
+std::string write_value(const Domain& value);
 
 /// What the reference manual calls the type.
 std::string type_name(const double&);
@@ -55,6 +58,7 @@ std::string type_name(const Expression&);
 std::string type_name(const std::vector<double>&);
 std::string type_name(const std::vector<std::string>&);
 std::string type_name(const Expressions&);
+std::string type_name(const Domain&);
 
 /// Located<T>: the value with its place.
 template <class T>

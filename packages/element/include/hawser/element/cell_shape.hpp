@@ -10,9 +10,7 @@ enum class CellShape {
   triangle,       ///< counter-clockwise
   quadrilateral,  ///< counter-clockwise
   tetrahedron,    ///< the fourth vertex on the side from which the others run counter-clockwise
-  hexahedron,     ///< a quadrilateral, then the one opposite to it
-  patch,  ///< no shape: three consecutive vertices a, b, c of a line region (b in the middle)
-  facet   ///< a triangle turned so that its edge 0 is a boundary line, body on the left
+  hexahedron      ///< a quadrilateral, then the one opposite to it
 };
 
 /// The reference cell: the unit simplex for line, triangle and tetrahedron, the unit square and

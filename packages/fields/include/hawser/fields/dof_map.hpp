@@ -17,8 +17,8 @@ struct FieldDescription {
   std::string residual_unit;
   int components = 1;
   Basis basis = Basis::p1;
-  bool split = false;                  ///< lives on split vertices: doubled across slit lines
-  std::vector<std::string> regions{};  ///< the field lives on their union
+  bool split = false;             ///< lives on split vertices: doubled across slit lines
+  std::vector<Domain> domains{};  ///< the field lives on their union
   /// Field whose value this one's rate equals on structures, or empty.
   std::string follows{};
 };

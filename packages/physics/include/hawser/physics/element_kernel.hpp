@@ -18,8 +18,8 @@ namespace hawser {
 template <class Derived>
 class ElementKernel : public Kernel {
  public:
-  explicit ElementKernel(std::string region)
-      : Kernel(std::move(region), {Derived::uses.begin(), Derived::uses.end()}) {}
+  explicit ElementKernel(Domain domain)
+      : Kernel(std::move(domain), {Derived::uses.begin(), Derived::uses.end()}) {}
 
   int dimension() const override { return Derived::dimension; }
   int vertices_per_cell() const override { return Derived::nodes; }

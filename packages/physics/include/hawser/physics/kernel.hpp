@@ -1,5 +1,5 @@
 #pragma once
-// The residual of one module on the cells of one region, and its exact derivative.
+// The residual of one module on the cells of one domain, and its exact derivative.
 //
 // A cell's unknowns are ordered field by field (in the order of fields()), then node by node, then
 // by component. All arrays are plain; one virtual call per cell, none per quadrature point.
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/base/domain.hpp"
 #include "hawser/deck/location.hpp"
 #include "hawser/element/tabulation.hpp"
 #include "hawser/physics/field_use.hpp"
@@ -38,13 +39,13 @@ enum class CellStatus {
 
 class Kernel {
  public:
-  Kernel(std::string region, std::vector<FieldUse> fields)
-      : region_(std::move(region)), fields_(std::move(fields)) {}
+  Kernel(Domain domain, std::vector<FieldUse> fields)
+      : domain_(std::move(domain)), fields_(std::move(fields)) {}
   virtual ~Kernel() = default;
   Kernel(const Kernel&) = delete;
   Kernel& operator=(const Kernel&) = delete;
 
-  const std::string& region() const { return region_; }
+  const Domain& domain() const { return domain_; }
   const std::vector<FieldUse>& fields() const { return fields_; }
   virtual int dimension() const = 0;  ///< of the mesh that it is written for
   /// Of the cells it is written for: 2 on a line, 3 in a body of triangles, on a facet or patch.
@@ -80,7 +81,7 @@ class Kernel {
   virtual std::vector<double> sample_amplitudes() const;
 
  private:
-  std::string region_;
+  Domain domain_;
   std::vector<FieldUse> fields_;
 };
 

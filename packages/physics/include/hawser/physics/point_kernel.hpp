@@ -62,8 +62,8 @@ struct FormAtPoint {
 template <class Derived>
 class PointKernel : public Kernel {
  public:
-  explicit PointKernel(std::string region)
-      : Kernel(std::move(region), {Derived::uses.begin(), Derived::uses.end()}) {}
+  explicit PointKernel(Domain domain)
+      : Kernel(std::move(domain), {Derived::uses.begin(), Derived::uses.end()}) {}
 
   int dimension() const override { return Derived::dimension; }
   int vertices_per_cell() const override { return Derived::dimension + 1; }

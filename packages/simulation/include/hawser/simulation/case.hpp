@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/base/domain.hpp"
 #include "hawser/deck/read_deck.hpp"
 #include "hawser/output/checkpoint.hpp"
 #include "hawser/simulation/environment.hpp"
@@ -64,7 +65,8 @@ struct ProvidedMesh {
   std::string made;  ///< empty for a mesh that was there
 };
 ProvidedMesh provide_mesh(const Case& run_case, const std::string& place);
-/// The mesh of that file, as the deck wants it read. Collective; MeshError on all ranks.
-Mesh read_mesh(const Case& run_case, const std::string& file);
+/// The mesh of that file, as the deck wants it read, with the domains beside its regions.
+/// Collective; MeshError on all ranks.
+Mesh read_mesh(const Case& run_case, const std::string& file, std::vector<Domain> domains = {});
 
 }  // namespace hawser
