@@ -11,13 +11,15 @@ void CellFailure::throw_together(const Mesh& mesh, const State& state) const {
     if (status == CellStatus::ok) return;
     if (!sentence.empty()) throw SolveError(sentence);
     const Region& region = *cells->region;
-    const auto per_cell = static_cast<std::size_t>(region.vertices_per_cell);
+    const auto per_cell = static_cast<std::size_t>(traits(region.shape).vertices);
     double centre[3] = {0, 0, 0};
     for (std::size_t v = 0; v < per_cell; ++v)
       for (int j = 0; j < mesh.dimension; ++j) {
         const LocalIndex vertex = region.vertices[static_cast<std::size_t>(cell) * per_cell + v];
-        centre[j] += mesh.coordinates[static_cast<std::size_t>(vertex * mesh.dimension + j)] /
-                     region.vertices_per_cell;
+        centre[j] += mesh.coordinates[static_cast<std::size_t>(vertex) *
+                                          static_cast<std::size_t>(mesh.dimension) +
+                                      static_cast<std::size_t>(j)] /
+                     static_cast<double>(per_cell);
       }
     std::ostringstream text;
     text << "cell " << region.cell_ids[static_cast<std::size_t>(cell)] << " of region '"

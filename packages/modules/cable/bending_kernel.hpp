@@ -38,7 +38,7 @@ template <int D>
 class BendingKernel : public ElementKernel<BendingKernel<D>> {
  public:
   static constexpr int dimension = D;
-  static constexpr int nodes = 3;
+  static constexpr CellShape shape = CellShape::patch;
   static constexpr std::array<FieldUse, 2> uses = {
       StandardFields<D>::velocity.as(Role::adds, 0U),
       StandardFields<D>::displacement.as(Role::kinematic, need::value)};
@@ -76,7 +76,7 @@ template <int D>
 class ClampKernel : public ElementKernel<ClampKernel<D>> {
  public:
   static constexpr int dimension = D;
-  static constexpr int nodes = 2;
+  static constexpr CellShape shape = CellShape::line;
   static constexpr std::array<FieldUse, 2> uses = BendingKernel<D>::uses;
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;

@@ -23,7 +23,7 @@ void check_regions(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
       }
       const std::string base = base_name(kernel->region());
       if (base == kernel->region()) {
-        find_region_of(kernel->vertices_per_cell(), mesh, {base, module.location},
+        find_region_of(kernel->shapes(), mesh, {base, module.location},
                        "module '" + module.name + "'", diagnostics);
         continue;
       }
@@ -99,7 +99,7 @@ std::unique_ptr<System> build_system(const Communicator& communicator, const Run
   check_regions(system->mesh, system->modules, diagnostics);
   diagnostics.throw_if_any();
 
-  system->table = gather_fields(system->modules);
+  system->table = gather_fields(system->modules, deck.fields);
   system->dofs = std::make_unique<DofMap>(system->mesh, system->table.fields);
   system->assembler = std::make_unique<Assembler>(*system->dofs, system->modules);
   const Tracks tracks = make_tracks(deck.tracks, diagnostics);

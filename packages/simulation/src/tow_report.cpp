@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/constants.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/fields/look_up.hpp"
 #include "hawser/physics/field_use.hpp"
 
 namespace hawser {
 namespace {
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double degree = pi / 180;
 }
 
 TowReport::TowReport(const DofMap& dofs, const TowDeck& deck, const Tracks& tracks,
                      Diagnostics& diagnostics)
     : dofs_(dofs), deck_(deck) {
   if (deck.track) track_ = find_track(tracks, *deck.track, diagnostics);
-  const Region* const cable = find_region_of(2, dofs.mesh(), deck.cable, "<tow>", diagnostics);
+  const Region* const cable =
+      find_region_of({CellShape::line}, dofs.mesh(), deck.cable, "<tow>", diagnostics);
   const Region* const tow_point = find_point(dofs.mesh(), deck.tow_point, "<tow>", diagnostics);
   find_field(dofs, {field_name::velocity, deck.cable.location}, diagnostics);
   if (cable == nullptr || tow_point == nullptr) return;
