@@ -1,8 +1,7 @@
 // Temperature carried by the flow, c = v - w, and conducted, on the moving mesh:
 //   rho c_p (dT/dt|_X + c . grad T) = div(k grad T).
-#include "hawser/physics/moving_frame.hpp"
+#include "hawser/physics/moving_point_kernel.hpp"
 #include "hawser/physics/plugin.hpp"
-#include "hawser/physics/point_kernel.hpp"
 
 namespace {
 
@@ -19,34 +18,30 @@ struct Heat {
   }
 };
 
-class HeatKernel : public PointKernel<HeatKernel> {
+class HeatKernel : public MovingPointKernel<HeatKernel> {
  public:
   static constexpr int dimension = 2;
   static constexpr std::array<FieldUse, 3> uses = {
-      FieldUse{"temperature", "K", "W/m", 1, RateRule::dynamic, false}.as(
-          Role::adds, need::rate | need::gradient),
-      StandardFields<2>::velocity.as(Role::reads, need::value),
-      StandardFields<2>::displacement.as(Role::reads, need::rate | need::gradient)};
+      FieldUse{"temperature", "K", "W/m", 1, RateRule::dynamic}.as(Role::adds,
+                                                                   need::rate | need::gradient),
+      StandardFields<2>::velocity.as(Role::reads_if_solved, need::value),
+      StandardFields<2>::displacement.as(Role::reads_if_solved, need::rate | need::gradient)};
   static constexpr Slot<0> temperature{};
   static constexpr Slot<1> velocity{};
   static constexpr Slot<2> displacement{};
 
-  explicit HeatKernel(const Heat& heat) : PointKernel(heat.region), heat_(heat) {}
+  explicit HeatKernel(const Heat& heat) : MovingPointKernel(heat.region), heat_(heat) {}
 
   template <class Point, class Form>
-  void weak_form(const Point& at, Form& out) const {
+  void moved_form(const Point& at, Form& out) const {
     using T = typename Point::Number;
-    const MovingFrame<T, 2> frame(at[displacement].gradient);
-    out.inverted = frame.inverted();
-    if (out.inverted) return;
-    Vector<T, 2> gradient = frame.spatial(at[temperature].gradient);
+    const auto& gradient = at[temperature].gradient;
     T change = at[temperature].rate;
     for (int i = 0; i < 2; ++i)
       change += (at[velocity].value[i] - at[displacement].rate[i]) * gradient[i];
-    out[temperature].source = frame.volume * heat_.capacity * change;
+    out[temperature].source = heat_.capacity * change;
     for (int i = 0; i < 2; ++i)
-      gradient[i] *= heat_.conductivity;
-    out[temperature].flux = frame.pull_back(gradient);
+      out[temperature].flux[i] = heat_.conductivity * gradient[i];
   }
 
   std::vector<double> sample_amplitudes() const override { return {10, 1, 0.05}; }

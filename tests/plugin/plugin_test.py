@@ -66,6 +66,16 @@ class Heat(unittest.TestCase):
             print(quantity, one[quantity], two[quantity])
 
 
+class Quadratic(unittest.TestCase):
+    def test_nodes_on_edges_move_with_the_displacement_of_either_basis(self):
+        for basis in "P1", "P2":
+            folder = SCRATCH / f"quadratic.{basis}"
+            done = hawser(2, "run", HERE / "quadratic.xml", "-o", folder, "-f", "-q",
+                          "--set", f"field[displacement]/basis={basis}")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertLess(json.loads((folder / "summary.json").read_text())["t_error_max"], 1e-12)
+
+
 class UnfitPlugin(unittest.TestCase):
     def refused(self, plugin, sentence, ranks=2, **options):
         deck = deck_with(plugin)

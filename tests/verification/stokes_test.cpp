@@ -9,6 +9,7 @@
 #include "figure.hpp"
 #include "hawser/assembly/constraints.hpp"
 #include "hawser/assembly/field_table.hpp"
+#include "hawser/base/constants.hpp"
 #include "hawser/element/tabulation.hpp"
 #include "hawser/mesh/generate.hpp"
 #include "hawser/physics/point_kernel.hpp"
@@ -17,7 +18,6 @@
 namespace hawser {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double mu = 0.7;
 
 struct Exact {
@@ -38,10 +38,9 @@ class StokesKernel : public PointKernel<StokesKernel> {
  public:
   static constexpr int dimension = 2;
   static constexpr std::array<FieldUse, 2> uses = {
-      FieldUse{"velocity", "m/s", "N/m", 2, RateRule::none, false, Role::adds, need::gradient,
-               Basis::p2},
-      FieldUse{"pressure", "Pa", "m^2/s", 1, RateRule::none, false, Role::adds, need::value,
-               Basis::p1}};
+      FieldUse{"velocity", "m/s", "N/m", 2, RateRule::none, Role::adds, need::gradient}.wishing(
+          Basis::p2),
+      FieldUse{"pressure", "Pa", "m^2/s", 1, RateRule::none, Role::adds, need::value}};
   static constexpr Slot<0> velocity{};
   static constexpr Slot<1> pressure{};
 

@@ -7,11 +7,10 @@
 
 #include "deck_run.hpp"
 #include "figure.hpp"
+#include "hawser/base/constants.hpp"
 
 namespace hawser {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 std::string in(int dimension) { return dimension == 3 ? " in space" : " in the plane"; }
 std::string tag(int dimension) { return dimension == 3 ? ".space" : ".plane"; }

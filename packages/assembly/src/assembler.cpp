@@ -28,7 +28,8 @@ struct Assembler::Implementation {
     const Governance governance = find_governors(map, modules);
     for (int m = 0; m < static_cast<int>(modules.size()); ++m)
       for (const auto& kernel : modules[static_cast<std::size_t>(m)].kernels)
-        kernels.push_back(resolve(map, governance, *kernel, m));
+        kernels.push_back(
+            resolve(map, governance, modules[static_cast<std::size_t>(m)], *kernel, m));
     make_maps();
     find_pairs(governance);
     std::vector<std::pair<LocalIndex, LocalIndex>> extra;
@@ -66,8 +67,8 @@ struct Assembler::Implementation {
       const int velocity = dofs->find(field.follows);
       const LocalIndex first = velocity < 0 ? -1 : dofs->first_row(velocity, info.kind, info.point);
       if (first < 0)
-        throw std::logic_error("a structure's '" + field.name + "' needs the field '" +
-                               field.follows + "' at the same nodes");
+        throw DeckError("a structure's '" + field.name + "' needs the field '" + field.follows +
+                        "' at the same nodes: give both the same basis");
       pairs.push_back({row, first + info.component});
     }
   }
@@ -124,81 +125,38 @@ void Assembler::residual(const State& state, std::vector<double>& total,
   CellFailure failure;
   for (const KernelCells& cells : implementation_->kernels) {
     if (module != all_modules && cells.module != module) continue;
-    const auto n = static_cast<std::size_t>(cells.unknowns());
     const std::vector<char>& counts = module == all_modules ? cells.writes : cells.adds;
-    CellGatherer gatherer(cells, dofs.mesh(), state);
-    std::vector<double> local(n);
-    for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
-      failure.note([&] { return cells.kernel->residual(gatherer.gather(cell), local.data()); },
-                   cells, cell);
-      const std::size_t begin = static_cast<std::size_t>(cell) * n;
-      for (std::size_t i = 0; i < n; ++i) {
+    std::vector<double> local(static_cast<std::size_t>(cells.unknowns()));
+    each_cell(cells, dofs.mesh(), state, [&](LocalIndex cell, const CellInput& input) {
+      failure.note([&] { return cells.kernel->residual(input, local.data()); }, cells, cell);
+      const std::size_t begin = static_cast<std::size_t>(cell) * local.size();
+      for (std::size_t i = 0; i < local.size(); ++i) {
         if (counts[begin + i] == 0) continue;
         const auto row = static_cast<std::size_t>(cells.rows[begin + i]);
         total[row] += local[i];
         magnitude[row] += std::abs(local[i]);
       }
-    }
+    });
   }
   failure.throw_together(dofs.mesh(), state);
 }
 
-void Assembler::tangent(const State& state, unsigned columns) {
+void Assembler::tangent(const State& state) {
   const DofMap& dofs = *implementation_->dofs;
   double* const values = implementation_->matrix_values;
   std::fill(values, values + implementation_->sparsity.columns.size(), 0.0);
   CellFailure failure;
   for (const KernelCells& cells : implementation_->kernels) {
     const auto n = static_cast<std::size_t>(cells.unknowns());
-    unsigned active = 0;
-    for (std::size_t f = 0; f < cells.fields.size(); ++f)
-      if (cells.fields[f] >= 0 && (columns >> cells.fields[f] & 1U) != 0) active |= 1U << f;
-    CellGatherer gatherer(cells, dofs.mesh(), state);
     std::vector<double> local(n);
     std::vector<double> local_tangent(n * n);
-    for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
-      failure.note(
-          [&] {
-            return cells.kernel->tangent(gatherer.gather(cell), active, local.data(),
-                                         local_tangent.data());
-          },
-          cells, cell);
+    each_cell(cells, dofs.mesh(), state, [&](LocalIndex cell, const CellInput& input) {
+      failure.note([&] { return cells.kernel->tangent(input, local.data(), local_tangent.data()); },
+                   cells, cell);
       const int* const positions = &cells.positions[static_cast<std::size_t>(cell) * n * n];
       for (std::size_t k = 0; k < n * n; ++k)
         if (positions[k] >= 0) values[positions[k]] += local_tangent[k];
-    }
-  }
-  failure.throw_together(dofs.mesh(), state);
-}
-
-void Assembler::tangent_product(const State& state, const std::vector<double>& direction,
-                                std::vector<double>& product) const {
-  const DofMap& dofs = *implementation_->dofs;
-  product.assign(static_cast<std::size_t>(dofs.owned()), 0);
-  CellFailure failure;
-  for (const KernelCells& cells : implementation_->kernels) {
-    const auto n = static_cast<std::size_t>(cells.unknowns());
-    CellGatherer gatherer(cells, dofs.mesh(), state);
-    std::vector<double> local(n);
-    std::vector<double> local_tangent(n * n);
-    for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
-      failure.note(
-          [&] {
-            return cells.kernel->tangent(gatherer.gather(cell), all_columns, local.data(),
-                                         local_tangent.data());
-          },
-          cells, cell);
-      const std::size_t begin = static_cast<std::size_t>(cell) * n;
-      for (std::size_t i = 0; i < n; ++i) {
-        if (cells.writes[begin + i] == 0) continue;
-        double sum = 0;
-        for (std::size_t j = 0; j < n; ++j)
-          if (cells.rows[begin + j] >= 0)
-            sum += local_tangent[i * n + j] *
-                   direction[static_cast<std::size_t>(cells.rows[begin + j])];
-        product[static_cast<std::size_t>(cells.rows[begin + i])] += sum;
-      }
-    }
+    });
   }
   failure.throw_together(dofs.mesh(), state);
 }
@@ -219,8 +177,8 @@ std::vector<Assembler::CellValues> Assembler::cell_quantities(const Region& regi
       result.push_back({quantity.name,
                         quantity.unit + (quantity.per_depth ? dofs().mesh().per_depth() : ""),
                         {}});
-    CellGatherer gatherer(cells, dofs().mesh(), state);
     std::vector<double> values(quantities.size());
+    CellGatherer gatherer(cells, dofs().mesh(), state);
     for (const LocalIndex cell : places_in(*cells.region, region)) {
       cells.kernel->evaluate(gatherer.gather(cell), values.data());
       for (std::size_t k = 0; k < values.size(); ++k)

@@ -16,8 +16,10 @@ void CellFailure::throw_together(const Mesh& mesh, const State& state) const {
     for (std::size_t v = 0; v < per_cell; ++v)
       for (int j = 0; j < mesh.dimension; ++j) {
         const LocalIndex vertex = region.vertices[static_cast<std::size_t>(cell) * per_cell + v];
-        centre[j] += mesh.coordinates[static_cast<std::size_t>(vertex * mesh.dimension + j)] /
-                     region.vertices_per_cell;
+        centre[j] += mesh.coordinates[static_cast<std::size_t>(vertex) *
+                                          static_cast<std::size_t>(mesh.dimension) +
+                                      static_cast<std::size_t>(j)] /
+                     static_cast<double>(per_cell);
       }
     std::ostringstream text;
     text << "cell " << region.cell_ids[static_cast<std::size_t>(cell)] << " of region '"

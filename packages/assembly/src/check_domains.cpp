@@ -13,20 +13,14 @@ void check_domain(const Mesh& mesh, const PhysicsModule& module, const Kernel& k
   const std::size_t before = diagnostics.error_count();
   const bool cells = domain.kind == Domain::Kind::cells;
   for (const std::string& name : domain.regions)
-    find_region_of(cells ? kernel.vertices_per_cell() : 2, mesh, {name, module.location}, user,
-                   diagnostics);
+    find_region_of(cells ? kernel.shapes() : std::vector<CellShape>{CellShape::line}, mesh,
+                   {name, module.location}, user, diagnostics);
   if (domain.kind == Domain::Kind::ends)
-    find_region_of(1, mesh, {domain.point, module.location}, user, diagnostics);
+    find_region_of({CellShape::point}, mesh, {domain.point, module.location}, user, diagnostics);
   if (diagnostics.error_count() != before) return;
   const std::string names = "region '" + Domain(domain.regions).text() + "'";
-  const Region* const region = mesh.find(domain);
-  if (region != nullptr) {
-    if (region->vertices_per_cell != kernel.vertices_per_cell())
-      diagnostics.error(module.location, user + " is written for cells of " +
-                                             std::to_string(kernel.vertices_per_cell()) +
-                                             " vertices, the " + domain.text() + " have " +
-                                             std::to_string(region->vertices_per_cell));
-  } else if (domain.kind == Domain::Kind::facets) {
+  if (mesh.find(domain) != nullptr) return;
+  if (domain.kind == Domain::Kind::facets) {
     diagnostics.error(module.location, names + " is no line on the boundary of the body");
   } else if (domain.kind == Domain::Kind::patches) {
     diagnostics.error(module.location, names + " is no line of at least two segments");

@@ -70,8 +70,10 @@ void Constraints::apply(const Kinematics& kinematics) {
     if (prescribed_[static_cast<std::size_t>(row.row)] != static_cast<int>(i))
       continue;  // a later one rules
     replace(row.row, row.row, 1, true);
-    for (int j = 0; row.displacement >= 0 && j < assembler_.dofs().mesh().dimension; ++j)
-      replace(row.row, row.displacement + j, -row.slope[j], false);
+    const NodeDisplacement& moved = row.displacement;
+    for (int k = 0; k < moved.count; ++k)
+      for (int j = 0; j < assembler_.dofs().mesh().dimension; ++j)
+        replace(row.row, moved.first[k] + j, -moved.weight * row.slope[j], false);
   }
 }
 

@@ -13,7 +13,7 @@ void visit_rows(const DofMap& dofs, const PhysicsModule& module, Visit&& visit) 
   for (const auto& kernel : module.kernels) {
     const Region& region = dofs.mesh().region(kernel->domain());
     for (const FieldUse& use : kernel->fields()) {
-      if (use.role == Role::reads) continue;
+      if (only_reads(use.role)) continue;
       const int field = dofs.find(use.name);
       for (LocalIndex cell = 0; cell < region.size(); ++cell) {
         first_rows.clear();

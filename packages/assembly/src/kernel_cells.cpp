@@ -1,14 +1,15 @@
 #include "src/kernel_cells.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
+#include "hawser/base/error.hpp"
 #include "hawser/element/quadrature_degree.hpp"
 
 namespace hawser {
 namespace {
 
+/// Point kernels have shape functions on cells that fill the space; others know their own.
 void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& cells,
                  Kernel& kernel) {
   if (region.dimension < dofs.mesh().dimension) return kernel.bind({});
@@ -17,10 +18,10 @@ void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& ce
   for (std::size_t f = 0; f < cells.fields.size(); ++f) {
     const int field = cells.fields[f];
     const FieldUse& use = kernel.fields()[f];
-    bases.push_back(field < 0 ? use.basis : dofs.fields()[static_cast<std::size_t>(field)].basis);
+    bases.push_back(field < 0 ? use.basis.value_or(Basis::p1)
+                              : dofs.fields()[static_cast<std::size_t>(field)].basis);
     form.push_back({bases.back(), (use.needs & (need::value | need::rate)) != 0,
-                    (use.needs & (need::gradient | need::accepted)) != 0,
-                    use.role == Role::adds || use.role == Role::governs});
+                    (use.needs & (need::gradient | need::accepted)) != 0, has_rows(use.role)});
   }
   kernel.bind(
       tabulate_cell(bases, quadrature(region.shape, quadrature_degree(region.shape, form))));
@@ -28,27 +29,39 @@ void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& ce
 
 }  // namespace
 
-KernelCells resolve(const DofMap& dofs, const Governance& governance, Kernel& kernel, int module) {
+KernelCells resolve(const DofMap& dofs, const Governance& governance, const PhysicsModule& module,
+                    Kernel& kernel, int module_index) {
   KernelCells cells;
   const Region& region = dofs.mesh().region(kernel.domain());
   cells.kernel = &kernel;
   cells.region = &region;
-  cells.module = module;
+  cells.module = module_index;
+  const std::string who = "module '" + module.name + "' on '" + region.name + "'";
+  const std::vector<CellShape> shapes = kernel.shapes();
+  if (std::find(shapes.begin(), shapes.end(), region.shape) == shapes.end())
+    throw PluginError(who + " is written for " + traits(shapes.front()).plural +
+                      ", and that region is one of " + traits(region.shape).plural);
+  for (const FieldUse& use : kernel.fields())
+    cells.fields.push_back(dofs.find(use.name));
+  bind_shapes(dofs, region, cells, kernel);
   int unknowns = 0;
-  for (const FieldUse& use : kernel.fields()) {
-    const int field = dofs.find(use.name);
-    cells.fields.push_back(field);
+  for (std::size_t f = 0; f < cells.fields.size(); ++f) {
+    const FieldUse& use = kernel.fields()[f];
+    const int field = cells.fields[f];
+    const int nodes = kernel.nodes(f);
+    if (field >= 0 && dofs.nodes_per_cell(field, region) != nodes)
+      throw DeckError(module.location.text() + ": " + who + " is written for " +
+                      std::to_string(nodes) + " nodes of the field '" + use.name +
+                      "' per cell, and in " +
+                      to_string(dofs.fields()[static_cast<std::size_t>(field)].basis) + " it has " +
+                      std::to_string(dofs.nodes_per_cell(field, region)));
     cells.first.push_back(unknowns);
-    const bool quadratic = use.basis == Basis::p2;
-    unknowns +=
-        use.components * (region.vertices_per_cell + (quadratic ? region.edges_per_cell : 0));
-    if (use.rate_rule == RateRule::quotient && (use.needs & need::rate) != 0 &&
-        kernel.rate_partner() < 0)
-      throw std::logic_error("a kernel on '" + region.name +
-                             "' looks at the displacement's rate and must list the velocity too");
+    unknowns += use.components * nodes;
+    if (use.follows != nullptr && (use.needs & need::rate) != 0 && kernel.rate_partner(f) < 0)
+      throw PluginError(who + " looks at the rate of '" + use.name + "' and must list '" +
+                        use.follows + "' too, which is that rate on structures");
   }
   cells.first.push_back(unknowns);
-  bind_shapes(dofs, region, cells, kernel);
 
   std::vector<LocalIndex> first_rows;
   for (LocalIndex cell = 0; cell < region.size(); ++cell)
@@ -58,17 +71,15 @@ KernelCells resolve(const DofMap& dofs, const Governance& governance, Kernel& ke
       if (cells.fields[f] >= 0)
         dofs.append_cell_rows(cells.fields[f], region, cell, first_rows);
       else
-        first_rows.assign(
-            static_cast<std::size_t>((cells.first[f + 1] - cells.first[f]) / use.components), -1);
+        first_rows.assign(static_cast<std::size_t>(kernel.nodes(f)), -1);
       for (const LocalIndex first : first_rows)
         for (int c = 0; c < use.components; ++c) {
           const LocalIndex row = first < 0 ? -1 : first + c;
-          const bool adds = row >= 0 && row < dofs.owned() &&
-                            (use.role == Role::adds || use.role == Role::governs);
+          const bool adds = row >= 0 && row < dofs.owned() && has_rows(use.role);
           bool writes = adds;
           if (adds) {
             const int governor = governance.governor[static_cast<std::size_t>(row)];
-            writes = governor == Governance::shared || governor == module;
+            writes = governor == Governance::shared || governor == module_index;
           }
           cells.rows.push_back(row);
           cells.adds.push_back(adds ? 1 : 0);

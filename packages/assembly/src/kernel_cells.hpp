@@ -23,7 +23,10 @@ struct KernelCells {
   int unknowns() const { return first.back(); }
 };
 
-KernelCells resolve(const DofMap& dofs, const Governance& governance, Kernel& kernel, int module);
+/// PluginError when the kernel is written for other cells than its region has, DeckError when it
+/// cannot work with a field's basis.
+KernelCells resolve(const DofMap& dofs, const Governance& governance, const PhysicsModule& module,
+                    Kernel& kernel, int module_index);
 
 /// Gathers the nodal arrays of one cell after another without allocating.
 class CellGatherer {
@@ -39,5 +42,13 @@ class CellGatherer {
   std::vector<FieldOnCell> fields_;
   CellInput input_;
 };
+
+/// Calls visit(cell, input) for every cell of this rank, in order.
+template <class Visit>
+void each_cell(const KernelCells& cells, const Mesh& mesh, const State& state, Visit&& visit) {
+  CellGatherer gatherer(cells, mesh, state);
+  for (LocalIndex cell = 0; cell < cells.region->size(); ++cell)
+    visit(cell, gatherer.gather(cell));
+}
 
 }  // namespace hawser

@@ -27,12 +27,12 @@ TEST(CellQuantities, OfARegionComeFromAKernelOnSeveral) {
   text.groups.push_back(line("second", {7, 6, 5}));  // shares a segment, the other way round
   std::vector<PhysicsModule> modules;
   modules.push_back(module_with(
-      "flow",
-      std::make_unique<LoadKernel>("water", 3, std::vector<FieldUse>{velocity(Role::adds)})));
+      "flow", std::make_unique<LoadKernel>("water", CellShape::triangle,
+                                           std::vector<FieldUse>{velocity(Role::adds)})));
   const Domain both(std::vector<std::string>{"first", "second"});
   modules.push_back(module_with(
-      "cable",
-      std::make_unique<PlaceKernel>(both, 2, std::vector<FieldUse>{velocity(Role::adds)})));
+      "cable", std::make_unique<PlaceKernel>(both, CellShape::line,
+                                             std::vector<FieldUse>{velocity(Role::adds)})));
   const Mesh mesh = read_text(Communicator(), text.in_format("4.1"), {}, {both});
   const DofMap dofs(mesh, gather_fields(modules).fields);
   const Assembler assembler(dofs, modules);

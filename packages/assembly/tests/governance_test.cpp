@@ -23,20 +23,20 @@ constexpr double flow_load = 1, cable_load = 10, mesh_load = 100;
 
 PhysicsModule flow() {
   return module_with(
-      "flow", std::make_unique<LoadKernel>("water", 3, std::vector<FieldUse>{velocity(Role::adds)},
-                                           flow_load));
+      "flow", std::make_unique<LoadKernel>("water", CellShape::triangle,
+                                           std::vector<FieldUse>{velocity(Role::adds)}, flow_load));
 }
 PhysicsModule cable() {
   return module_with(
       "cable",
       std::make_unique<LoadKernel>(
-          "cable", 2, std::vector<FieldUse>{velocity(Role::adds), displacement(Role::kinematic)},
-          cable_load));
+          "cable", CellShape::line,
+          std::vector<FieldUse>{velocity(Role::adds), displacement(Role::kinematic)}, cable_load));
 }
 PhysicsModule mesh_motion(const std::string& name = "mesh") {
-  return module_with(
-      name, std::make_unique<LoadKernel>(
-                "water", 3, std::vector<FieldUse>{displacement(Role::governs)}, mesh_load));
+  return module_with(name, std::make_unique<LoadKernel>(
+                               "water", CellShape::triangle,
+                               std::vector<FieldUse>{displacement(Role::governs)}, mesh_load));
 }
 
 template <class... Module>
@@ -76,29 +76,6 @@ TEST(Governance, TwoGovernorsOfEqualRankAreAnErrorOfTheDeck) {
       testing::ThrowsMessage<DeckError>("(default): <elastic> governs the field 'displacement' at "
                                         "nodes where <springs> of (default) "
                                         "does already; let one of them cover both regions"));
-}
-
-TEST(FieldTable, AReaderSeesAFieldAsItIs) {
-  FieldUse smooth = velocity(Role::adds);
-  smooth.basis = Basis::p2;
-  auto flow =
-      module_with("flow", std::make_unique<LoadKernel>("water", 6, std::vector<FieldUse>{smooth}));
-  auto reader = module_with(
-      "reader",
-      std::make_unique<LoadKernel>("water", 3, std::vector<FieldUse>{velocity(Role::reads)}));
-  EXPECT_THAT([&] { gather_fields(list(std::move(reader), std::move(flow))); },
-              testing::ThrowsMessage<PluginError>(testing::HasSubstr("'velocity' differently")));
-}
-
-TEST(FieldTable, OneFieldHasOneDescription) {
-  FieldUse rough = velocity(Role::adds);
-  rough.basis = Basis::p2;
-  auto other =
-      module_with("other", std::make_unique<LoadKernel>("water", 6, std::vector<FieldUse>{rough}));
-  const auto modules = list(flow(), std::move(other));
-  EXPECT_THAT([&] { gather_fields(modules); },
-              testing::ThrowsMessage<PluginError>(testing::HasSubstr(
-                  "module <other> and another one describe the field 'velocity' differently")));
 }
 
 /// Cells of a region that touch the vertex of a row: 6 at the most.

@@ -13,26 +13,35 @@ namespace hawser {
 /// Adds the same load at every node of every cell, to every component of every field.
 class LoadKernel : public Kernel {
  public:
-  LoadKernel(Domain domain, int nodes, std::vector<FieldUse> uses, double load = 0)
-      : Kernel(std::move(domain), std::move(uses)), nodes_(nodes), load_(load) {
-    for (const FieldUse& use : fields())
-      unknowns_ += nodes * use.components;
-  }
+  LoadKernel(Domain domain, CellShape shape, std::vector<FieldUse> uses, double load = 0)
+      : Kernel(std::move(domain), std::move(uses)), shape_(shape), load_(load) {}
   int dimension() const override { return 2; }
-  int vertices_per_cell() const override { return nodes_; }
-  void bind(const CellTabulation& /*table*/) override {}
+  std::vector<CellShape> shapes() const override { return {shape_}; }
+  void bind(const CellTabulation& table) override {
+    nodes_.clear();
+    unknowns_ = 0;
+    for (std::size_t f = 0; f < fields().size(); ++f) {
+      nodes_.push_back(f < table.fields.size() ? table.fields[f].nodes : vertices());
+      unknowns_ += nodes_[f] * fields()[f].components;
+    }
+  }
+  int nodes(std::size_t field) const override { return nodes_[field]; }
   CellStatus residual(const CellInput& /*cell*/, double* residual) const override {
     std::fill(residual, residual + unknowns_, load_);
     return CellStatus::ok;
   }
-  CellStatus tangent(const CellInput& cell, unsigned /*columns*/, double* residual_,
-                     double* tangent) const override {
+  CellStatus tangent(const CellInput& cell, double* residual_, double* tangent) const override {
     std::fill(tangent, tangent + unknowns_ * unknowns_, 0.0);
     return residual(cell, residual_);
   }
 
  private:
-  int nodes_;
+  int vertices() const {
+    return domain().kind == Domain::Kind::patches ? 3 : traits(shape_).vertices;
+  }
+
+  CellShape shape_;
+  std::vector<int> nodes_;
   double load_;
   int unknowns_ = 0;
 };

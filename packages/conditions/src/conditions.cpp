@@ -34,7 +34,10 @@ void check_units(const Located<Expressions>& values, const FieldDescription& fie
 
 Conditions::Conditions(const Assembler& assembler, const std::vector<RateRule>& rate_rules,
                        const ConditionsDeck& deck, const Tracks& tracks, Diagnostics& diagnostics)
-    : assembler_(assembler), dofs_(assembler.dofs()), rate_rules_(rate_rules) {
+    : assembler_(assembler),
+      dofs_(assembler.dofs()),
+      moved_(dofs_, field_name::displacement),
+      rate_rules_(rate_rules) {
   velocity_of_.assign(static_cast<std::size_t>(dofs_.rows()), -1);
   for (const auto& pair : assembler.kinematic_pairs())
     velocity_of_[static_cast<std::size_t>(pair.displacement)] = pair.velocity;
@@ -93,23 +96,10 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, const Tracks& t
   return entry;
 }
 
-LocalIndex Conditions::displacement_at(LocalIndex row) const {
-  const int displacement = dofs_.find(field_name::displacement);
-  if (displacement < 0) return -1;
-  const RowInfo& info = dofs_.info(row);
-  if (info.kind != PointKind::split_vertex)
-    return dofs_.first_row(displacement, info.kind, info.point);
-  const LocalIndex vertex = dofs_.mesh().vertex_of_split[static_cast<std::size_t>(info.point)];
-  return dofs_.first_row(displacement, PointKind::vertex, vertex);
-}
-
 SpaceTime Conditions::point(LocalIndex row, const State& state) const {
-  double X[3] = {0, 0, 0};
+  double X[3] = {0, 0, 0}, x[3] = {0, 0, 0};
   dofs_.position(row, X);
-  double x[3] = {X[0], X[1], X[2]};
-  const LocalIndex moved = displacement_at(row);
-  for (int j = 0; moved >= 0 && j < dofs_.mesh().dimension; ++j)
-    x[j] += state.value[static_cast<std::size_t>(moved + j)];
+  moved_.position(row, state, x);
   return {x[0], x[1], x[2], X[0], X[1], X[2], state.time};
 }
 
@@ -131,18 +121,18 @@ void Conditions::set_initial(const Entry& entry, State& state) const {
   std::vector<double> values(components), rates(components);
   for (const LocalIndex first : entry.first_rows) {
     const SpaceTime at = point(first, state);
-    const LocalIndex moved = displacement_at(first);
+    const NodeDisplacement moved = moved_.displacement_at(first);
     source.value(at, values.data());
     source.time_derivative(at, rates.data());
     for (std::size_t c = 0; c < components; ++c) {
       const auto row = static_cast<std::size_t>(first + entry.first_component) + c;
       state.value[row] = values[c];
       state.rate[row] = rates[c];
-      if (moved < 0 || !source.depends_on_moved_position(static_cast<int>(c))) continue;
+      if (moved.count == 0 || !source.depends_on_moved_position(static_cast<int>(c))) continue;
       double slope[3];
       source.gradient(at, static_cast<int>(c), slope);  // the node is carried along
       for (int j = 0; j < dofs_.mesh().dimension; ++j)
-        state.rate[row] += slope[j] * state.rate[static_cast<std::size_t>(moved + j)];
+        state.rate[row] += slope[j] * moved.component(state.rate, j);
     }
   }
 }
@@ -175,7 +165,7 @@ void Conditions::prescribe(const Entry& entry, const State& state, const State& 
       PrescribedRow prescribed{row, values[c]};
       if (source.depends_on_moved_position(static_cast<int>(c))) {
         source.gradient(at, static_cast<int>(c), prescribed.slope);
-        prescribed.displacement = displacement_at(first);
+        prescribed.displacement = moved_.displacement_at(first);
       }
       result.push_back(prescribed);
       const LocalIndex velocity = velocity_of_[static_cast<std::size_t>(row)];

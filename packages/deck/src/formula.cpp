@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "hawser/base/constants.hpp"
 #include "hawser/deck/diagnostics.hpp"
 #include "hawser/deck/ramp.hpp"
 #include "hawser/deck/spec_reader.hpp"
@@ -99,7 +100,7 @@ void CompiledFormula::define_names(const NamedValues* names) {
   parser_.DefineVar("Y", &point_.Y);
   parser_.DefineVar("Z", &point_.Z);
   parser_.ClearConst();
-  parser_.DefineConst("pi", 3.14159265358979323846);
+  parser_.DefineConst("pi", pi);
   parser_.DefineFun("ramp", ramp);
   parser_.DefineFun("ramp_distance", ramp_distance);
   for (std::size_t i = 0; names != nullptr && i < names->size(); ++i)

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "hawser/base/constants.hpp"
 #include "hawser/deck/diagnostics.hpp"
 #include "hawser/deck/spec_reader.hpp"
 
@@ -11,7 +12,6 @@ namespace {
 
 using Powers = std::array<int, Unit::base_units>;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t longest_unit = 60;  // also bounds the nesting of parentheses
 constexpr int greatest_power = 9;
 

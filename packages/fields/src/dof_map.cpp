@@ -1,7 +1,9 @@
 #include "hawser/fields/dof_map.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "hawser/base/error.hpp"
 #include "src/ghost_exchange.hpp"
 
 namespace hawser {
@@ -13,19 +15,21 @@ constexpr PointKind all_kinds[] = {PointKind::vertex, PointKind::split_vertex, P
 
 std::size_t slot(PointKind kind) { return static_cast<std::size_t>(kind); }
 
+bool by_sides(const FieldDescription& field) { return field.numbering == Numbering::sides; }
+
 /// Calls visit(kind, point) for the nodes of one cell, in the order of the shape functions.
 template <class Visit>
 void visit_nodes(const FieldDescription& field, const Region& region, LocalIndex cell,
                  Visit&& visit) {
   const auto per_cell = static_cast<std::size_t>(region.vertices_per_cell);
   const auto c = static_cast<std::size_t>(cell);
-  const bool split = field.split && !region.split_vertices.empty();
+  const bool split = by_sides(field) && !region.split_vertices.empty();
   for (std::size_t k = 0; k < per_cell; ++k)
     if (split)
       visit(PointKind::split_vertex, region.split_vertices[c * per_cell + k]);
     else
       visit(PointKind::vertex, region.vertices[c * per_cell + k]);
-  if (field.basis != Basis::p2) return;
+  if (node_layout(region.shape, field.basis).per_edge == 0) return;
   const auto edges = static_cast<std::size_t>(region.edges_per_cell);
   for (std::size_t k = 0; k < edges; ++k)
     visit(PointKind::edge, region.edges[c * edges + k]);
@@ -35,6 +39,7 @@ void visit_nodes(const FieldDescription& field, const Region& region, LocalIndex
 
 DofMap::DofMap(const Mesh& mesh, std::vector<FieldDescription> fields)
     : mesh_(&mesh), fields_(std::move(fields)) {
+  check_nodes();
   mark_presence();
   number_points(true);
   owned_ = rows();
@@ -50,6 +55,32 @@ const PointSet& DofMap::points(PointKind kind) const {
   }
 }
 
+void DofMap::check_nodes() const {
+  // Where there is a slit some vertex has two sides. All of the body's vertices are split ones.
+  std::vector<char> seen(static_cast<std::size_t>(mesh_->vertices.size()), 0);
+  bool slit = false;
+  for (const LocalIndex vertex : mesh_->vertex_of_split)
+    slit = slit || std::exchange(seen[static_cast<std::size_t>(vertex)], 1) != 0;
+  slit = mesh_->communicator.any(slit);
+  for (const FieldDescription& field : fields_) {
+    if (slit && by_sides(field) && field.basis != Basis::p1)
+      throw DeckError("the field '" + field.name +
+                      "' is numbered by the sides of the slits, which " + to_string(field.basis) +
+                      " fields cannot be yet: an edge has one node; <field name=\"" + field.name +
+                      "\" basis=\"P1\"/> or numbering=\"continuous\" can");
+    for (const Domain& domain : field.domains) {
+      const CellShape shape = mesh_->region(domain).shape;
+      const NodeLayout nodes = node_layout(shape, field.basis);
+      if (nodes.per_face + nodes.inside > 0)
+        throw DeckError("the field '" + field.name + "' has nodes within the " +
+                        traits(shape).plural + " of region '" + domain.text() + "' with " +
+                        to_string(field.basis) +
+                        ", and nodes are numbered at vertices and on edges "
+                        "only; P1 can be");
+    }
+  }
+}
+
 void DofMap::mark_presence() {
   for (const PointKind kind : all_kinds)
     first_row_[slot(kind)].assign(static_cast<std::size_t>(points(kind).size()) * fields_.size(),
@@ -58,7 +89,8 @@ void DofMap::mark_presence() {
     for (const Domain& domain : fields_[f].domains) {
       const Region& region = mesh_->region(domain);
       // A line has no sides: a split field lives where the surrounding cells put it.
-      if (fields_[f].split && region.split_vertices.empty() && region.dimension < mesh_->dimension)
+      if (by_sides(fields_[f]) && region.split_vertices.empty() &&
+          region.dimension < mesh_->dimension)
         continue;
       for (LocalIndex cell = 0; cell < region.size(); ++cell)
         visit_nodes(fields_[f], region, cell, [&](PointKind kind, LocalIndex point) {
@@ -136,8 +168,9 @@ LocalIndex DofMap::first_row(int field, PointKind kind, LocalIndex point) const 
 }
 
 int DofMap::nodes_per_cell(int field, const Region& region) const {
-  const bool quadratic = fields_[static_cast<std::size_t>(field)].basis == Basis::p2;
-  return region.vertices_per_cell + (quadratic ? region.edges_per_cell : 0);
+  const NodeLayout nodes =
+      node_layout(region.shape, fields_[static_cast<std::size_t>(field)].basis);
+  return region.vertices_per_cell + nodes.per_edge * region.edges_per_cell;
 }
 
 void DofMap::append_cell_rows(int field, const Region& region, LocalIndex cell,
@@ -150,7 +183,7 @@ void DofMap::append_cell_rows(int field, const Region& region, LocalIndex cell,
 
 std::vector<LocalIndex> DofMap::region_rows(int field, const Region& region) const {
   std::vector<LocalIndex> result;
-  if (fields_[static_cast<std::size_t>(field)].split && region.split_vertices.empty()) {
+  if (by_sides(fields_[static_cast<std::size_t>(field)]) && region.split_vertices.empty()) {
     // A line or point has no sides: all that the field has at its vertices.
     std::vector<char> touched(static_cast<std::size_t>(mesh_->vertices.size()), 0);
     for (const LocalIndex vertex : region.vertices)

@@ -1,5 +1,6 @@
 #include "hawser/fields/look_up.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace hawser {
@@ -11,11 +12,6 @@ std::vector<std::string> names_of(const Mesh& mesh, Predicate&& wanted) {
   for (const Region& region : mesh.regions)
     if (wanted(region)) names.push_back(region.name);
   return names;
-}
-
-std::string kind(int vertices_per_cell) {
-  if (vertices_per_cell == 1) return "points";
-  return vertices_per_cell == 2 ? "lines" : "triangles";
 }
 
 }  // namespace
@@ -31,24 +27,24 @@ const Region* find_region(const Mesh& mesh, const std::string& name, const Locat
   return region;
 }
 
-const Region* find_region_of(int vertices_per_cell, const Mesh& mesh,
+const Region* find_region_of(const std::vector<CellShape>& shapes, const Mesh& mesh,
                              const Located<std::string>& name, const std::string& user,
                              Diagnostics& diagnostics) {
+  const auto fits = [&](const Region& candidate) {
+    return std::find(shapes.begin(), shapes.end(), candidate.shape) != shapes.end();
+  };
   const Region* const region = find_region(mesh, name, diagnostics);
-  if (region == nullptr || region->vertices_per_cell == vertices_per_cell) return region;
-  const auto fitting = names_of(mesh, [&](const Region& candidate) {
-    return candidate.vertices_per_cell == vertices_per_cell;
-  });
-  diagnostics.error(name.location, user + " needs a region of " + kind(vertices_per_cell) +
+  if (region == nullptr || fits(*region)) return region;
+  diagnostics.error(name.location, user + " needs a region of " + traits(shapes.front()).plural +
                                        ", and '" + name.value + "' is one of " +
-                                       kind(region->vertices_per_cell) + "; there are " +
-                                       listed(fitting));
+                                       traits(region->shape).plural + "; there are " +
+                                       listed(names_of(mesh, fits)));
   return nullptr;
 }
 
 const Region* find_point(const Mesh& mesh, const Located<std::string>& name,
                          const std::string& user, Diagnostics& diagnostics) {
-  const Region* const region = find_region_of(1, mesh, name, user, diagnostics);
+  const Region* const region = find_region_of({CellShape::point}, mesh, name, user, diagnostics);
   if (region == nullptr) return nullptr;
   long long points = 0;
   for (const int owner : region->cell_owners)

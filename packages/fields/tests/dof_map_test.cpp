@@ -1,5 +1,6 @@
 #include "hawser/fields/dof_map.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "hawser/base/error.hpp"
 #include "mesh/tests/mesh_text.hpp"
 
 namespace hawser {
@@ -23,9 +25,9 @@ Mesh slit_mesh() {
 }
 
 std::vector<FieldDescription> fields() {
-  return {{"velocity", "m/s", "N/m", 2, Basis::p2, false, {"water"}},
-          {"pressure", "Pa", "m^2/s", 1, Basis::p1, true, {"water"}},
-          {"tension", "N", "m", 1, Basis::p1, false, {"cable"}}};
+  return {{"velocity", "m/s", "N/m", 2, Basis::p2, Numbering::continuous, {"water"}},
+          {"pressure", "Pa", "m^2/s", 1, Basis::p1, Numbering::sides, {"water"}},
+          {"tension", "N", "m", 1, Basis::p1, Numbering::continuous, {"cable"}}};
 }
 
 /// What all ranks say, one after the other.
@@ -110,6 +112,19 @@ TEST(DofMap, ASplitFieldHasARowOnEachSideOfALine) {
   EXPECT_EQ(owned_on_cable("pressure"), 5 + 3);
   EXPECT_EQ(owned_on_cable("velocity"), 5 + 4);
   EXPECT_EQ(owned_on_cable("tension"), 5);
+}
+
+// An edge of a slit would need a node on either side.
+TEST(DofMap, AQuadraticFieldIsNotDoubledAcrossASlit) {
+  const Mesh slit = slit_mesh();
+  const std::vector<FieldDescription> by_sides = {
+      {"pressure", "Pa", "m^2/s", 1, Basis::p2, Numbering::sides, {"water"}}};
+  EXPECT_THAT(
+      [&] { const DofMap dofs(slit, by_sides); },
+      testing::ThrowsMessage<DeckError>(testing::HasSubstr("'pressure' is numbered by the sides")));
+  const Mesh whole = read_text(Communicator(), grid(nx, ny).in_format("4.1"));
+  const DofMap dofs(whole, by_sides);
+  EXPECT_EQ(dofs.global_count(), (2 * nx + 1) * (2 * ny + 1));
 }
 
 }  // namespace

@@ -60,9 +60,9 @@ std::unique_ptr<Kernel> make_fluid_kernel(const AleFluid& deck) {
   const FluidProperties fluid{deck.density, deck.viscosity};
   const Expressions& force = deck.body_force;
   if (std::all_of(force.begin(), force.end(), [](const auto& f) { return f.is_constant(); }))
-    return std::make_unique<FluidKernel<UniformForce>>(deck.region, fluid,
-                                                       UniformForce{{force[0]({}), force[1]({})}});
-  return std::make_unique<FluidKernel<VaryingForce>>(deck.region, fluid, VaryingForce{force});
+    return std::make_unique<FluidKernel<2, UniformForce<2>>>(
+        deck.region, fluid, UniformForce<2>{{force[0]({}), force[1]({})}});
+  return std::make_unique<FluidKernel<2, VaryingForce>>(deck.region, fluid, VaryingForce{force});
 }
 
 PhysicsModule make_ale_fluid(const AleFluid& deck) {

@@ -19,10 +19,11 @@ struct OutflowProperties {
 class OutflowKernel : public ElementKernel<OutflowKernel> {
  public:
   static constexpr int dimension = 2;
-  static constexpr int nodes = 3;
+  static constexpr CellShape shape = CellShape::triangle;
+  static constexpr int node_count = 3;
   static constexpr std::array<FieldUse, 2> uses = {
       StandardFields<2>::velocity.as(Role::adds, need::value),
-      StandardFields<2>::displacement.as(Role::reads, need::value)};
+      StandardFields<2>::displacement.as(Role::reads_if_solved, need::value)};
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;
 

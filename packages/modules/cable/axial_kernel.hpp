@@ -67,7 +67,8 @@ template <int D>
 class CableKernel : public ElementKernel<CableKernel<D>> {
  public:
   static constexpr int dimension = D;
-  static constexpr int nodes = 2;
+  static constexpr CellShape shape = CellShape::line;
+  static constexpr int node_count = 2;
   static constexpr std::array<FieldUse, 2> uses = {
       StandardFields<D>::velocity.as(Role::adds, need::value | need::rate),
       StandardFields<D>::displacement.as(Role::kinematic, need::value)};

@@ -38,7 +38,8 @@ template <int D>
 class BendingKernel : public ElementKernel<BendingKernel<D>> {
  public:
   static constexpr int dimension = D;
-  static constexpr int nodes = 3;
+  static constexpr CellShape shape = CellShape::line;
+  static constexpr int node_count = 3;
   static constexpr std::array<FieldUse, 2> uses = {
       StandardFields<D>::velocity.as(Role::adds, 0U),
       StandardFields<D>::displacement.as(Role::kinematic, need::value)};
@@ -76,7 +77,8 @@ template <int D>
 class ClampKernel : public ElementKernel<ClampKernel<D>> {
  public:
   static constexpr int dimension = D;
-  static constexpr int nodes = 2;
+  static constexpr CellShape shape = CellShape::line;
+  static constexpr int node_count = 2;
   static constexpr std::array<FieldUse, 2> uses = BendingKernel<D>::uses;
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;

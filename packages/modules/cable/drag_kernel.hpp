@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "axial_kernel.hpp"
+#include "hawser/base/constants.hpp"
 #include "hawser/physics/place_function.hpp"
 #include "load_kernel.hpp"
 
@@ -23,7 +24,8 @@ template <int D>
 class CableDragKernel : public ElementKernel<CableDragKernel<D>> {
  public:
   static constexpr int dimension = D;
-  static constexpr int nodes = 2;
+  static constexpr CellShape shape = CellShape::line;
+  static constexpr int node_count = 2;
   static constexpr std::array<FieldUse, 2> uses = CableKernel<D>::uses;
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;
@@ -31,7 +33,6 @@ class CableDragKernel : public ElementKernel<CableDragKernel<D>> {
   /// `current`: m/s, one expression per direction.
   CableDragKernel(Domain domain, const DragProperties& drag, Expressions current)
       : ElementKernel<CableDragKernel>(std::move(domain)), current_(std::move(current)) {
-    constexpr double pi = 3.14159265358979323846;
     normal_ = 0.5 * drag.density * drag.normal * drag.diameter;
     tangential_ = 0.5 * drag.density * drag.tangential * pi * drag.diameter;
     added_mass_ = drag.added_mass * drag.density * pi * drag.diameter * drag.diameter / 4;

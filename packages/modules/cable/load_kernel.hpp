@@ -35,7 +35,8 @@ template <int D>
 class CableLoadKernel : public ElementKernel<CableLoadKernel<D>> {
  public:
   static constexpr int dimension = D;
-  static constexpr int nodes = 2;
+  static constexpr CellShape shape = CellShape::line;
+  static constexpr int node_count = 2;
   static constexpr std::array<FieldUse, 2> uses = {
       StandardFields<D>::velocity.as(Role::adds, 0U),
       StandardFields<D>::displacement.as(Role::kinematic, need::value)};
@@ -71,7 +72,8 @@ template <int D>
 class PointLoadKernel : public ElementKernel<PointLoadKernel<D>> {
  public:
   static constexpr int dimension = D;
-  static constexpr int nodes = 1;
+  static constexpr CellShape shape = CellShape::point;
+  static constexpr int node_count = 1;
   static constexpr std::array<FieldUse, 2> uses = {
       StandardFields<D>::velocity.as(Role::adds, 0U),
       StandardFields<D>::displacement.as(Role::reads, need::value)};

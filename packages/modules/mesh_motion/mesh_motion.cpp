@@ -34,10 +34,10 @@ PhysicsModule make_mesh_motion(const MeshMotion& deck) {
   PhysicsModule module{"mesh-motion", "mesh", {}, {}};
   if (deck.body_force.empty())
     module.kernels.push_back(
-        std::make_unique<MeshMotionKernel<NoLoad>>(deck.region, deck, NoLoad{}));
+        std::make_unique<MeshMotionKernel<2, NoLoad>>(deck.region, deck, NoLoad{}));
   else
-    module.kernels.push_back(
-        std::make_unique<MeshMotionKernel<MeshLoad>>(deck.region, deck, MeshLoad{deck.body_force}));
+    module.kernels.push_back(std::make_unique<MeshMotionKernel<2, MeshLoad>>(
+        deck.region, deck, MeshLoad{deck.body_force}));
   return module;
 }
 

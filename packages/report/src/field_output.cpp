@@ -131,7 +131,7 @@ void FieldOutput::write_flow(int step, const State& state) {
   const auto points = static_cast<std::size_t>(mesh.split_vertices.owned);
   const auto dimension = static_cast<std::size_t>(mesh.dimension);
   const auto row_of = [&](std::size_t field, std::size_t point) {
-    return dofs_.fields()[field].split
+    return dofs_.fields()[field].numbering == Numbering::sides
                ? dofs_.first_row(static_cast<int>(field), PointKind::split_vertex,
                                  static_cast<LocalIndex>(point))
                : dofs_.first_row(static_cast<int>(field), PointKind::vertex,

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/constants.hpp"
+
 namespace hawser {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double degree = pi / 180;
 
 std::vector<Column> columns_in(const Mesh& mesh) {
   std::vector<Column> columns = {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "hawser/base/constants.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/fields/look_up.hpp"
 #include "hawser/physics/field_use.hpp"
@@ -13,7 +14,7 @@
 
 namespace hawser {
 namespace {
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double degree = pi / 180;
 }
 
 void register_tow(ReportRegistry& registry) { registry.add<TowReport>(); }
@@ -60,7 +61,8 @@ TowReport::TowReport(const TowDeck& deck, const ReportContext& context, Diagnost
     : dofs_(context.dofs()), deck_(deck) {
   if (deck.track) track_ = find_track(context.tracks, *deck.track, diagnostics);
   const Mesh& mesh = context.mesh();
-  const Region* const cable = find_region_of(2, mesh, deck.cable, "<tow>", diagnostics);
+  const Region* const cable =
+      find_region_of({CellShape::line}, mesh, deck.cable, "<tow>", diagnostics);
   const Region* const tow_point = find_point(mesh, deck.tow_point, "<tow>", diagnostics);
   find_field(dofs_, {field_name::velocity, deck.cable.location}, diagnostics);
   if (cable == nullptr || tow_point == nullptr) return;

@@ -33,6 +33,7 @@ Spec<RunDeck> RunDeck::spec() {
       .child(&P::mesh, required())
       .children(&P::plugins)
       .child(&P::modules, required())
+      .children(&P::fields)
       .children(&P::tracks)
       .child(&P::conditions)
       .child(&P::time, required())

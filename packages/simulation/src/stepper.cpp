@@ -131,7 +131,8 @@ FieldValues Stepper::field(const std::string& name) const {
   const FieldDescription& known = dofs.fields()[static_cast<std::size_t>(field)];
   const auto dimension = static_cast<std::size_t>(dofs.mesh().dimension);
   const std::vector<double>& value = system_->integrator->history().value;
-  const PointSet& corners = known.split ? dofs.mesh().split_vertices : dofs.mesh().vertices;
+  const PointSet& corners =
+      known.numbering == Numbering::sides ? dofs.mesh().split_vertices : dofs.mesh().vertices;
   FieldValues result{known.unit, known.components, dofs.mesh().dimension, {}, {}, {}};
   for (LocalIndex row = 0; row < dofs.owned(); ++row) {
     const RowInfo& info = dofs.info(row);

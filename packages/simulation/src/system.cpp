@@ -40,7 +40,7 @@ std::unique_ptr<System> build_system(const Case& run_case, const std::string& me
   check_domains(system->mesh, system->modules, diagnostics);
   diagnostics.throw_if_any();
 
-  system->table = gather_fields(system->modules);
+  system->table = gather_fields(system->modules, deck.fields);
   system->dofs = std::make_unique<DofMap>(system->mesh, system->table.fields);
   system->assembler = std::make_unique<Assembler>(*system->dofs, system->modules);
   const Tracks tracks = make_tracks(deck.tracks, diagnostics);

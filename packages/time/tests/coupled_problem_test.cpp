@@ -46,9 +46,9 @@ struct Sample {
 
   static std::vector<PhysicsModule> loaded_water() {
     std::vector<PhysicsModule> result;
-    result.push_back(
-        module_with("flow", std::make_unique<LoadKernel>(
-                                "water", 3, std::vector<FieldUse>{velocity(Role::adds)}, load)));
+    result.push_back(module_with(
+        "flow", std::make_unique<LoadKernel>("water", CellShape::triangle,
+                                             std::vector<FieldUse>{velocity(Role::adds)}, load)));
     return result;
   }
   std::vector<LocalIndex> held() const { return dofs.region_rows(0, mesh.region("cable")); }

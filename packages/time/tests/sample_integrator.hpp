@@ -11,13 +11,13 @@ namespace hawser {
 inline std::vector<PhysicsModule> sample_modules() {
   std::vector<PhysicsModule> modules;
   modules.push_back(module_with(
-      "flow",
-      std::make_unique<LoadKernel>(
-          "water", 3, std::vector<FieldUse>{velocity(Role::adds), displacement(Role::governs)})));
+      "flow", std::make_unique<LoadKernel>(
+                  "water", CellShape::triangle,
+                  std::vector<FieldUse>{velocity(Role::adds), displacement(Role::governs)})));
   modules.push_back(module_with(
-      "cable",
-      std::make_unique<LoadKernel>(
-          "cable", 2, std::vector<FieldUse>{velocity(Role::adds), displacement(Role::kinematic)})));
+      "cable", std::make_unique<LoadKernel>(
+                   "cable", CellShape::line,
+                   std::vector<FieldUse>{velocity(Role::adds), displacement(Role::kinematic)})));
   return modules;
 }
 

@@ -12,9 +12,10 @@ TEST(StateCheckpoint, HoldsFieldsOnAPartOfTheMesh) {
   MeshText text = grid(4, 2);
   text.groups.push_back(line("cable", {5, 6, 7, 8, 9}));
   const Mesh mesh = read_text(Communicator(), text.in_format("4.1"), {"cable"});
-  const DofMap dofs(mesh, {{"velocity", "m/s", "N/m", 2, Basis::p1, false, {"water"}},
-                           {"heat", "K", "W", 1, Basis::p2, false, {"cable"}},
-                           {"pressure", "Pa", "m^2/s", 1, Basis::p1, true, {"water"}}});
+  const DofMap dofs(mesh,
+                    {{"velocity", "m/s", "N/m", 2, Basis::p1, Numbering::continuous, {"water"}},
+                     {"heat", "K", "W", 1, Basis::p2, Numbering::continuous, {"cable"}},
+                     {"pressure", "Pa", "m^2/s", 1, Basis::p1, Numbering::sides, {"water"}}});
   TimeHistory saved;
   saved.time = 3, saved.step = 0.5, saved.earlier_step = 0.25;
   for (LocalIndex row = 0; row < dofs.rows(); ++row) {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/constants.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/deck/ramp.hpp"
 
 namespace hawser {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double steepest_ramp = 1.875;  // of 10 s^3 - 15 s^4 + 6 s^5, at s = 1/2
 
 /// The turn from one heading to another, in (-pi, pi].

@@ -12,7 +12,8 @@ namespace hawser {
 
 class Assembler {
  public:
-  /// `dofs` and `modules` must outlive the assembler. Collective.
+  /// `dofs` and `modules` must outlive the assembler. Collective. PluginError or DeckError when a
+  /// kernel does not fit the cells of its region or a field's basis.
   Assembler(const DofMap& dofs, const std::vector<PhysicsModule>& modules);
   ~Assembler();
   Assembler(Assembler&&) noexcept;
@@ -37,13 +38,7 @@ class Assembler {
                 int module = all_modules) const;
 
   /// The tangent of all kernels in system().matrix, before any condition. Same errors.
-  /// Only columns of fields whose bit (index in dofs().fields()) is set in `columns` need be right;
-  /// a kernel may fill others too.
-  void tangent(const State& state, unsigned columns = ~0U);
-
-  /// product[owned row] = tangent times direction (per local row), without the matrix. Same errors.
-  void tangent_product(const State& state, const std::vector<double>& direction,
-                       std::vector<double>& product) const;
+  void tangent(const State& state);
 
   /// What the kernels on a region report for output, per local cell of that region.
   struct CellValues {

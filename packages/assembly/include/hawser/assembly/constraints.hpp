@@ -3,15 +3,16 @@
 #include <vector>
 
 #include "hawser/assembly/assembler.hpp"
+#include "hawser/fields/moved_position.hpp"
 
 namespace hawser {
 
 /// value[row] is prescribed. Where the prescription depends on the moved position, `slope` is its
-/// derivative with respect to that and `displacement` the node's first displacement row, else -1.
+/// derivative with respect to that, and `displacement` says what moves the node.
 struct PrescribedRow {
   LocalIndex row;
   double value;
-  LocalIndex displacement = -1;
+  NodeDisplacement displacement{};
   double slope[3] = {0, 0, 0};
 };
 

@@ -47,11 +47,10 @@ class Conditions {
   void prescribe(const Entry& entry, const State& state, const State& end,
                  std::vector<PrescribedRow>& result) const;
   SpaceTime point(LocalIndex row, const State& state) const;
-  /// First displacement row at the node of `row`; -1 where nothing moves.
-  LocalIndex displacement_at(LocalIndex row) const;
 
   const Assembler& assembler_;
   const DofMap& dofs_;
+  MovedPosition moved_;
   std::vector<RateRule> rate_rules_;  // per field
   std::vector<LocalIndex>
       velocity_of_;  // per local row: a structure displacement's velocity row, or -1

@@ -13,9 +13,11 @@ struct CellGeometry {
   Vector<double, D> position;          ///< of the point, m
   Tensor<double, D> inverse_jacobian;  ///< (k, j) = d xi_k / d X_j, 1/m
   double determinant = 0;              ///< dX = determinant d xi
+  const ShapeTraits* shape = nullptr;
 
   /// `X`: [node of the map][D], m.
   void enter(const CellTabulation& table, const double* X) {
+    shape = &traits(table.rule.shape);
     if (!table.affine) return;
     Tensor<double, D> jacobian;  // (j, k) = d X_j / d xi_k
     for (int j = 0; j < D; ++j)

@@ -17,7 +17,7 @@ struct FieldDescription {
   std::string residual_unit;
   int components = 1;
   Basis basis = Basis::p1;
-  bool split = false;             ///< lives on split vertices: doubled across slit lines
+  Numbering numbering = Numbering::continuous;
   std::vector<Domain> domains{};  ///< the field lives on their union
   /// Field whose value this one's rate equals on structures, or empty.
   std::string follows{};
@@ -36,6 +36,7 @@ struct RowInfo {
 class DofMap {
  public:
   /// Rows of one vertex are ordered as `fields` are. Collective. The mesh must outlive the map.
+  /// DeckError when a field's basis has nodes that the mesh cannot number.
   DofMap(const Mesh& mesh, std::vector<FieldDescription> fields);
 
   const Mesh& mesh() const { return *mesh_; }
@@ -66,6 +67,7 @@ class DofMap {
 
  private:
   const PointSet& points(PointKind kind) const;
+  void check_nodes() const;
   void mark_presence();
   void number_points(bool owned);
   void number_globally();

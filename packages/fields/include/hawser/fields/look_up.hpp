@@ -2,6 +2,7 @@
 // What a deck calls by name: regions of the mesh and fields of the modules. A name that is not
 // there, or not of the wanted kind, is an error that tells what there is.
 #include <string>
+#include <vector>
 
 #include "hawser/deck/diagnostics.hpp"
 #include "hawser/deck/value.hpp"
@@ -21,8 +22,8 @@ inline const Region* find_region(const Mesh& mesh, const Located<std::string>& n
 const Region* find_point(const Mesh& mesh, const Located<std::string>& name,
                          const std::string& user, Diagnostics& diagnostics);
 
-/// Null, and an error, unless its cells have so many vertices: 1 a point, 2 a line, 3 a triangle.
-const Region* find_region_of(int vertices_per_cell, const Mesh& mesh,
+/// Null, and an error, unless its cells have one of the shapes.
+const Region* find_region_of(const std::vector<CellShape>& shapes, const Mesh& mesh,
                              const Located<std::string>& name, const std::string& user,
                              Diagnostics& diagnostics);
 

@@ -10,10 +10,11 @@
 
 namespace hawser {
 
-/// Derived has:  static constexpr int dimension, nodes;
-///               static constexpr std::array<FieldUse, n> uses;   (all fields have `nodes` nodes)
-///               template <class Element, class T> void element_residual(const Element& at, T* out)
-///               const;
+/// Derived has:  static constexpr int dimension;
+///               static constexpr CellShape shape;   (of a facet the triangle's, of a patch a
+///               line's) static constexpr int node_count;    (of a cell: vertices) static constexpr
+///               std::array<FieldUse, n> uses;   (each has a node per vertex) template <class
+///               Element, class T> void element_residual(const Element& at, T* out) const;
 /// `out` is zeroed and ordered like the cell's unknowns: out[at.index(field, node, component)].
 template <class Derived>
 class ElementKernel : public Kernel {
@@ -22,9 +23,9 @@ class ElementKernel : public Kernel {
       : Kernel(std::move(domain), {Derived::uses.begin(), Derived::uses.end()}) {}
 
   int dimension() const override { return Derived::dimension; }
-  int vertices_per_cell() const override { return Derived::nodes; }
-
-  void bind(const CellTabulation& /*table*/) override { partner_ = rate_partner(); }
+  std::vector<CellShape> shapes() const override { return {Derived::shape}; }
+  void bind(const CellTabulation& /*table*/) override {}
+  int nodes(std::size_t /*field*/) const override { return Derived::node_count; }
 
   CellStatus residual(const CellInput& cell, double* residual) const override {
     Element<double> at(cell);
@@ -37,18 +38,19 @@ class ElementKernel : public Kernel {
     return status(residual);
   }
 
-  CellStatus tangent(const CellInput& cell, unsigned /*columns*/, double* residual,
-                     double* tangent) const override {
+  CellStatus tangent(const CellInput& cell, double* residual, double* tangent) const override {
     constexpr int n = unknowns();
+    constexpr auto partners = rate_partners(Derived::uses);
     using T = Sacado::Fad::SFad<double, n>;
     Element<T> at(cell);
     for (int i = 0; i < n; ++i) {
       at.values[i] = T(n, i, at.nodal(i, &FieldOnCell::value));
       at.rates[i] = T(n, i, at.nodal(i, &FieldOnCell::rate));
       at.rates[i].fastAccessDx(i) = at.nodal(i, &FieldOnCell::rate_slope);
-      const FieldUse& use = Derived::uses[static_cast<std::size_t>(at.field_of(i))];
-      if (use.rate_rule == RateRule::quotient && partner_ >= 0)
-        at.rates[i].fastAccessDx(first(partner_) + i - first(at.field_of(i))) +=
+      const int field = at.field_of(i);
+      const int followed = partners[static_cast<std::size_t>(field)];
+      if (followed >= 0)
+        at.rates[i].fastAccessDx(first(followed) + i - first(field)) +=
             at.nodal(i, &FieldOnCell::rate_partner);
     }
     T out[n];
@@ -66,7 +68,7 @@ class ElementKernel : public Kernel {
   static constexpr int first(int field) {
     int sum = 0;
     for (int f = 0; f < field; ++f)
-      sum += Derived::nodes * Derived::uses[static_cast<std::size_t>(f)].components;
+      sum += Derived::node_count * Derived::uses[static_cast<std::size_t>(f)].components;
     return sum;
   }
   static constexpr int unknowns() { return first(static_cast<int>(Derived::uses.size())); }
@@ -112,8 +114,6 @@ class ElementKernel : public Kernel {
       sum += residual[i];
     return std::isfinite(sum) ? CellStatus::ok : CellStatus::not_finite;
   }
-
-  int partner_ = -1;
 };
 
 }  // namespace hawser

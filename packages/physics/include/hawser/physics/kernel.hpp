@@ -47,25 +47,25 @@ class Kernel {
 
   const Domain& domain() const { return domain_; }
   const std::vector<FieldUse>& fields() const { return fields_; }
-  virtual int dimension() const = 0;  ///< of the mesh that it is written for
-  /// Of the cells it is written for: 2 on a line, 3 in a body of triangles, on a facet or patch.
-  virtual int vertices_per_cell() const = 0;
-  /// Index in fields() of the velocity that a structure's displacement rate equals; -1 when not
-  /// used.
-  int rate_partner() const;
+  virtual int dimension() const = 0;                  ///< of the mesh that it is written for
+  virtual std::vector<CellShape> shapes() const = 0;  ///< of the cells that it is written for
+  /// The field whose value is the rate of field `field` on structures; -1 when it follows none or
+  /// one that the kernel does not list.
+  int rate_partner(std::size_t field) const;
 
   /// Called once, before the first residual, with the shape functions of every field and of the
   /// cells' geometry; on a line, a point, a patch or a facet there are none.
+  /// PluginError when the kernel cannot work with so many.
   virtual void bind(const CellTabulation& table) = 0;
+  /// Of a field on one cell, once bound.
+  virtual int nodes(std::size_t field) const = 0;
 
   /// residual[n]; n is the number of the cell's unknowns. Overwrites.
   virtual CellStatus residual(const CellInput& cell, double* residual) const = 0;
 
   /// Also the tangent [n][n], row by row, d residual_i / d unknown_j with all rates following their
-  /// values. Only columns of fields whose bit is set in `columns` are needed; others may be left
-  /// zero. Overwrites.
-  virtual CellStatus tangent(const CellInput& cell, unsigned columns, double* residual,
-                             double* tangent) const = 0;
+  /// values. Overwrites.
+  virtual CellStatus tangent(const CellInput& cell, double* residual, double* tangent) const = 0;
 
   /// What else the cell can tell for output, such as a tension; evaluate() gives one value for
   /// each.
@@ -93,7 +93,5 @@ struct PhysicsModule {
   std::vector<std::unique_ptr<Kernel>> kernels;
   Location location{};  ///< of its element in the deck, for complaints that need the mesh
 };
-
-constexpr unsigned all_columns = ~0U;
 
 }  // namespace hawser

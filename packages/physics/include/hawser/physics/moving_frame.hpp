@@ -23,24 +23,28 @@ struct MovingFrame {
 
   bool inverted() const { return !(volume > 0.0); }
 
-  /// Gradient with respect to x from the one with respect to X.
-  Tensor<T, D> spatial(const Tensor<T, D>& gradient) const { return multiply(gradient, inverse); }
-  Vector<T, D> spatial(const Vector<T, D>& gradient) const { return multiply(gradient, inverse); }
+  /// Gradient with respect to x from the one with respect to X, of a scalar or a vector.
+  template <class Gradient>
+  auto spatial(const Gradient& gradient) const {
+    return multiply(gradient, inverse);
+  }
 
   /// Flux per reference area from a flux per moved area: J f F^-T (Piola transform).
-  Tensor<T, D> pull_back(const Tensor<T, D>& flux) const {
-    Tensor<T, D> result;
+  template <class A>
+  Tensor<Product<A, T>, D> pull_back(const Tensor<A, D>& flux) const {
+    Tensor<Product<A, T>, D> result;
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) {
-        T sum = flux(i, 0) * inverse(j, 0);
+        Product<A, T> sum = flux(i, 0) * inverse(j, 0);
         for (int k = 1; k < D; ++k)
           sum += flux(i, k) * inverse(j, k);
         result(i, j) = volume * sum;
       }
     return result;
   }
-  Vector<T, D> pull_back(const Vector<T, D>& flux) const {
-    Vector<T, D> result = multiply(inverse, flux);
+  template <class A>
+  Vector<Product<A, T>, D> pull_back(const Vector<A, D>& flux) const {
+    Vector<Product<A, T>, D> result = multiply(inverse, flux);
     for (int i = 0; i < D; ++i)
       result[i] *= volume;
     return result;

@@ -24,6 +24,12 @@ template <int I>
 using Slot = std::integral_constant<int, I>;
 
 namespace detail {
+constexpr int max_nodes = 27;      // of one field on one cell: quadratic hexahedron
+constexpr int max_unknowns = 192;  // of one cell
+
+/// PluginError when the cell's unknowns do not fit into the arrays that the loop has on its stack.
+void check_size(const Kernel& kernel, const CellTabulation& table);
+
 template <class T, int C, int D>
 struct PointTypes {
   using Value = Vector<T, D>;
@@ -66,19 +72,22 @@ class PointKernel : public Kernel {
       : Kernel(std::move(domain), {Derived::uses.begin(), Derived::uses.end()}) {}
 
   int dimension() const override { return Derived::dimension; }
-  int vertices_per_cell() const override { return Derived::dimension + 1; }
+  std::vector<CellShape> shapes() const override {
+    if (Derived::dimension == 2) return {CellShape::triangle, CellShape::quadrilateral};
+    return {CellShape::tetrahedron, CellShape::hexahedron};
+  }
 
   void bind(const CellTabulation& table) override {
+    detail::check_size(*this, table);
     table_ = table;
-    partner_ = rate_partner();
   }
+  int nodes(std::size_t field) const override { return table_.fields[field].nodes; }
 
   CellStatus residual(const CellInput& cell, double* residual) const override {
-    return evaluate<double>(cell, all_columns, residual, nullptr);
+    return evaluate<double>(cell, residual, nullptr);
   }
-  CellStatus tangent(const CellInput& cell, unsigned columns, double* residual,
-                     double* tangent) const override {
-    return evaluate<Sacado::Fad::SFad<double, directions()>>(cell, columns, residual, tangent);
+  CellStatus tangent(const CellInput& cell, double* residual, double* tangent) const override {
+    return evaluate<Sacado::Fad::SFad<double, directions()>>(cell, residual, tangent);
   }
 
   /// Derivative directions of one field: its value, rate and gradient, as far as they are looked
@@ -123,11 +132,9 @@ class PointKernel : public Kernel {
   };
 
   template <class T>
-  CellStatus evaluate(const CellInput& cell, unsigned columns, double* residual,
-                      double* tangent) const;
+  CellStatus evaluate(const CellInput& cell, double* residual, double* tangent) const;
 
   CellTabulation table_;
-  int partner_ = -1;
 };
 
 }  // namespace hawser

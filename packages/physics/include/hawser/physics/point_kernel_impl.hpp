@@ -4,9 +4,6 @@
 namespace hawser {
 namespace detail {
 
-constexpr int max_nodes = 10;     // quadratic tetrahedron
-constexpr int max_unknowns = 96;  // of one cell
-
 template <class T>
 T& entry(T& scalar, int /*component*/) {
   return scalar;
@@ -44,7 +41,7 @@ void for_each_index(std::index_sequence<I...> /*indices*/, F&& f) {
 
 template <class Derived>
 template <class T>
-CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned columns, double* residual,
+CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, double* residual,
                                           double* tangent) const {
   constexpr int D = Derived::dimension;
   constexpr std::size_t field_count = Derived::uses.size();
@@ -62,7 +59,6 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
   at.time = cell.time;
   at.step = cell.step;
   at.enter(table_, cell.coordinates);
-  const int partner = tangent != nullptr ? partner_ : -1;
 
   const Quadrature& rule = table_.rule;
   double gradients[field_count][detail::max_nodes][D];
@@ -130,12 +126,11 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
           constexpr std::size_t f = index;
           constexpr int components = Derived::uses[f].components;
           constexpr unsigned needs = Derived::uses[f].needs;
-          constexpr bool follows = Derived::uses[f].rate_rule == RateRule::quotient;
+          constexpr int followed = rate_partners(Derived::uses)[f];
           constexpr int width = directions(Derived::uses[f]) / components;
           constexpr int rate_at = (needs & need::value) != 0 ? 1 : 0;
           constexpr int gradient_at = rate_at + ((needs & need::rate) != 0 ? 1 : 0);
           const double* const N = &table_.fields[f].values[q * table_.fields[f].nodes];
-          const bool active = (columns >> f & 1U) != 0;
           for (int a = 0; a < table_.fields[f].nodes; ++a)
             for (int c = 0; c < components; ++c) {
               const double* const d = derivative + first + c * width;
@@ -144,14 +139,15 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
               if constexpr ((needs & need::value) != 0) sum += N[a] * d[0];
               if constexpr ((needs & need::rate) != 0) {
                 sum += N[a] * d[rate_at] * cell.fields[f].rate_slope[node];
-                if (follows && partner >= 0)
-                  line[offset[partner] + node] +=
+                // Of a node that the followed field lacks the partner is 0: it may go anywhere.
+                if constexpr (followed >= 0)
+                  line[offset[followed] + node] +=
                       N[a] * d[rate_at] * cell.fields[f].rate_partner[node];
               }
               if constexpr ((needs & need::gradient) != 0)
                 for (int j = 0; j < D; ++j)
                   sum += gradients[f][a][j] * d[gradient_at + j];
-              if (active) line[offset[f] + node] += sum;
+              line[offset[f] + node] += sum;
             }
           first += width * components;
         });
@@ -165,7 +161,7 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, unsigned column
       if constexpr (role == Role::adds || role == Role::governs) {
         const double* const N = &table_.fields[f].values[q * table_.fields[f].nodes];
         const int nodes = table_.fields[f].nodes;
-        double line[detail::max_unknowns];
+        double line[2 * detail::max_unknowns];
         auto& form = std::get<f>(out.fields);
         const auto scatter = [&](const T& output, int c, auto&& test) {
           const double value = weight * Num::value(output);

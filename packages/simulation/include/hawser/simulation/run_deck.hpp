@@ -6,6 +6,7 @@
 
 #include "hawser/conditions/conditions_deck.hpp"
 #include "hawser/deck/spec.hpp"
+#include "hawser/fields/field_deck.hpp"
 #include "hawser/mesh/mesh_deck.hpp"
 #include "hawser/report/output_deck.hpp"
 #include "hawser/report/verification_deck.hpp"
@@ -37,6 +38,7 @@ struct RunDeck {
   MeshDeck mesh;
   std::vector<PluginDeck> plugins;
   ModulesDeck modules;
+  std::vector<FieldDeck> fields;
   std::vector<TrackDeck> tracks;
   ConditionsDeck conditions;
   TimeDeck time;

@@ -1,0 +1,92 @@
+#include "fluid_kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sample_cell.hpp"
+
+namespace hawser {
+namespace {
+
+const std::vector<double> triangle = {0, 0, 4, 1, 1, 3};
+const std::vector<double> quadrilateral = {0, 0, 4, 0.5, 2, 2, 0.2, 1.5};
+const std::vector<double> tetrahedron = {0, 0, 0, 3, 0, 0.5, 0, 2, 0, 0.3, 0.2, 2};
+
+template <int D>
+double worst_error(CellShape shape, const std::vector<double>& coordinates) {
+  FluidKernel<D, UniformForce<D>> kernel("water", {1000, 300}, UniformForce<D>{{0.3, -9.81}});
+  kernel.bind(tabulate_cell({Basis::p1, Basis::p1, Basis::p1}, quadrature(shape, 3)));
+  double worst = 0;
+  for (unsigned seed = 1; seed < 4; ++seed)
+    worst = std::max(worst, worst_tangent_error(kernel, coordinates, seed));
+  return worst;
+}
+
+TEST(FluidKernel, TangentIsTheDerivativeOnEveryShape) {
+  EXPECT_LE(worst_error<2>(CellShape::triangle, triangle), 1e-6);
+  EXPECT_LE(worst_error<2>(CellShape::quadrilateral, quadrilateral), 1e-6);
+  EXPECT_LE(worst_error<3>(CellShape::tetrahedron, tetrahedron), 1e-6);
+}
+
+// Water at rest under its own weight, p = -rho g y: nothing but the boundary's share of p remains,
+// which the shapes of a cell cancel among each other.
+TEST(FluidKernel, HydrostaticWaterIsInBalance) {
+  FluidKernel<2, UniformForce<2>> kernel("water", {1000, 300}, UniformForce<2>{{0, -9.81}});
+  kernel.bind(tabulate_cell({Basis::p1, Basis::p1, Basis::p1}, quadrature(CellShape::triangle, 2)));
+  const std::vector<double> zero(6, 0);
+  std::vector<double> pressure;
+  for (std::size_t a = 0; a < 3; ++a)
+    pressure.push_back(-9810 * triangle[2 * a + 1]);
+  std::vector<FieldOnCell> fields;
+  for (const double* values :
+       std::initializer_list<const double*>{zero.data(), pressure.data(), zero.data()})
+    fields.push_back({values, zero.data(), zero.data(), zero.data(), zero.data()});
+  CellInput cell{0, 0.1, triangle.data(), fields.data()};
+  double residual[15];
+  ASSERT_EQ(kernel.residual(cell, residual), CellStatus::ok);
+  for (int a = 0; a < 3; ++a)
+    EXPECT_NEAR(residual[6 + a], 0, 1e-9) << "continuity: no strong residual, no flow";
+  // The weight of the water is what all nodes carry together.
+  const double area = 5.5;
+  EXPECT_NEAR(residual[1] + residual[3] + residual[5], 1000 * 9.81 * area, 1e-7);
+  EXPECT_NEAR(residual[0] + residual[2] + residual[4], 0, 1e-7);
+}
+
+// Turning the numbering of a cell's vertices turns the residual and changes nothing else: the
+// stabilisation's metric is that of the regular cell.
+TEST(FluidKernel, TheNumberingOfVerticesDoesNotMatter) {
+  FluidKernel<2, UniformForce<2>> kernel("water", {1000, 300}, UniformForce<2>{{0.3, -9.81}});
+  kernel.bind(tabulate_cell({Basis::p1, Basis::p1, Basis::p1}, quadrature(CellShape::triangle, 2)));
+  const std::vector<double> velocity = {0.1, -0.5, 0.2, -0.4, 0, -0.45}, pressure = {10, 20, -5};
+  const auto residual = [&](std::size_t turn) {
+    std::vector<double> X, v, p;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::size_t from = (a + turn) % 3;
+      for (std::size_t j = 0; j < 2; ++j) {
+        X.push_back(triangle[2 * from + j]);
+        v.push_back(velocity[2 * from + j]);
+      }
+      p.push_back(pressure[from]);
+    }
+    const std::vector<double> zero(6, 0);
+    std::vector<FieldOnCell> fields;
+    for (const double* values :
+         std::initializer_list<const double*>{v.data(), p.data(), zero.data()})
+      fields.push_back({values, zero.data(), zero.data(), zero.data(), zero.data()});
+    const CellInput cell{0, 0.1, X.data(), fields.data()};
+    std::vector<double> result(15);
+    EXPECT_EQ(kernel.residual(cell, result.data()), CellStatus::ok);
+    return result;
+  };
+  const auto first = residual(0), second = residual(1);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::size_t from = (a + 1) % 3;
+    for (std::size_t j = 0; j < 2; ++j)
+      EXPECT_NEAR(second[2 * a + j], first[2 * from + j], 1e-8);
+    EXPECT_NEAR(second[6 + a], first[6 + from], 1e-11);
+  }
+}
+
+}  // namespace
+}  // namespace hawser
