@@ -40,7 +40,7 @@ std::string told(LogDetail detail, bool json) {
     log->start(heading);
     log->solved(solved());
     log->rejected(10, 20, "no convergence");
-    log->stepped(step, {0.73, 0.9, 0.25}, heading.end);
+    log->stepped(step, {0.73, 0.25}, heading.end);
     log->wrote("fields", 3, 20);
     log->finish("end error 154.5 m\n", {met, missed}, summary);
   }

@@ -17,8 +17,6 @@ MeshFigures inspect_mesh(const DofMap& dofs, const State& state) {
     return first < 0 ? 0.0 : values[static_cast<std::size_t>(first) + j];
   };
   MeshFigures result;
-  double quality_sum = 0;
-  long long cells = 0;
   for (const Region& region : mesh.regions) {
     if (region.shape != CellShape::triangle) continue;
     for (LocalIndex cell = 0; cell < region.size(); ++cell) {
@@ -37,8 +35,6 @@ MeshFigures inspect_mesh(const DofMap& dofs, const State& state) {
       }
       const double quality = triangle_quality(x[0], x[1], x[2]);
       result.least_quality = std::min(result.least_quality, quality);
-      quality_sum += quality;
-      ++cells;
       const double twice_area =
           (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[2][0] - x[0][0]) * (x[1][1] - x[0][1]);
       double flux = 0;  // sum of |c . grad N|, twice |c| over the cell's length along c
@@ -54,8 +50,6 @@ MeshFigures inspect_mesh(const DofMap& dofs, const State& state) {
   const Communicator& communicator = mesh.communicator;
   result.least_quality = communicator.min(result.least_quality);
   result.courant = communicator.max(result.courant);
-  const long long all = communicator.sum(cells);
-  result.mean_quality = all > 0 ? communicator.sum(quality_sum) / static_cast<double>(all) : 1;
   return result;
 }
 

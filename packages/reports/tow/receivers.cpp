@@ -6,8 +6,6 @@
 namespace hawser {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
-
 std::vector<Column> columns_in(const Mesh& mesh) {
   std::vector<Column> columns = {
       {"t", "s"}, {"receiver", ""}, {"arc_length", "m"}, {"x", "m"}, {"y", "m"}};

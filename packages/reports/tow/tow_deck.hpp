@@ -8,6 +8,8 @@
 
 namespace hawser {
 
+constexpr double degree = 3.14159265358979323846 / 180;  // rad
+
 /// Receivers along the towed cable, as a table over time.
 struct ReceiversDeck {
   double spacing = 12.5, first = 0;  ///< m along the cable at rest

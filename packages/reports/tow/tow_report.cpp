@@ -12,9 +12,6 @@
 #include "tow.hpp"
 
 namespace hawser {
-namespace {
-constexpr double degree = 3.14159265358979323846 / 180;
-}
 
 void register_tow(ReportRegistry& registry) { registry.add<TowReport>(); }
 

@@ -7,8 +7,7 @@ namespace hawser {
 
 struct MeshFigures {
   double least_quality = 1;  ///< 1 is equilateral
-  double mean_quality = 1;
-  double courant = 0;  ///< |c| dt over the cell's length along c = v - w
+  double courant = 0;        ///< |c| dt over the cell's length along c = v - w
 };
 
 /// Over all triangles. Collective.
