@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "system"))
 import harness
 
 PLUGINS = ["--plugin-dir", harness.BUILD / "tests/plugins"]
-WITH_HEAT = ["--plugin", "heat", *PLUGINS]
+WITH_PLUGINS = ["--plugin", "heat", "--plugin", "energy", *PLUGINS]
 
 
 def printed(*arguments):
@@ -39,7 +39,7 @@ def shipped():
 
 class Schema(unittest.TestCase):
     def setUp(self):
-        self.xsd = scratch("deck.xsd", printed("schema", *WITH_HEAT))
+        self.xsd = scratch("deck.xsd", printed("schema", *WITH_PLUGINS))
 
     def validate(self, *decks):
         return subprocess.run(["xmllint", "--noout", "--schema", self.xsd, *decks], capture_output=True, text=True)
@@ -58,7 +58,8 @@ class Schema(unittest.TestCase):
             self.assertEqual(done.returncode, 3, f"{wrong}: {done.stderr}")
 
     def test_plugins_named_on_the_command_line_are_in_it(self):
-        self.assertIn('name="heat"', self.xsd.read_text())
+        for tag in "heat", "energy":
+            self.assertIn(f'name="{tag}"', self.xsd.read_text())
         self.assertNotIn('name="heat"', printed("schema"))
 
     def test_every_attribute_is_documented(self):
@@ -80,7 +81,7 @@ class Reference(unittest.TestCase):
         self.assertTrue(printed("describe", "cable").startswith("<cable>"))
         self.assertIn("modules/ale-fluid/density, attribute", printed("describe", "modules/ale-fluid/density"))
         self.assertIn("  mesh/tow-box/min\n  mesh/water-box/min\n", printed("describe", "min"))
-        self.assertTrue(printed("describe", "heat", *WITH_HEAT).startswith("<heat>"))
+        self.assertTrue(printed("describe", "heat", *WITH_PLUGINS).startswith("<heat>"))
         self.assertIn("modules: ale-fluid, cable, mesh-motion", printed("describe"))
 
     def test_an_unknown_name(self):

@@ -2,6 +2,7 @@
 
 python3 tests/plugin/plugin_test.py BUILD_FOLDER PLUGIN_FOLDER
 """
+import csv
 import json
 import shutil
 import subprocess
@@ -74,6 +75,38 @@ class Quadratic(unittest.TestCase):
                           "--set", f"field[displacement]/basis={basis}")
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertLess(json.loads((folder / "summary.json").read_text())["t_error_max"], 1e-12)
+
+
+class Energy(unittest.TestCase):
+    def test_a_report_gives_columns_and_quantities(self):
+        tables = []
+        for ranks in 1, 2:
+            folder = SCRATCH / f"energy.np{ranks}"
+            done = hawser(ranks, "run", HERE / "energy.xml", "-o", folder, "--force", "--quiet")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            with (folder / "history.csv").open() as file:
+                tables.append(list(csv.DictReader(file)))
+        for row in tables[0] + tables[1]:
+            exact = 0.005 * (1 - 0.1 * float(row["t_s"]))
+            self.assertAlmostEqual(float(row["water_kinetic_energy_j_per_m"]), exact, delta=1e-10)
+            self.assertAlmostEqual(float(row["brine_kinetic_energy_j_per_m"]), 2 * exact, delta=1e-10)
+
+    def test_its_names_are_checked(self):
+        deck = SCRATCH / "energy_faults.xml"
+        SCRATCH.mkdir(parents=True, exist_ok=True)
+        text = (HERE / "energy.xml").read_text().replace('"heat.xml"', f'"{HERE}/heat.xml"')
+        for right, wrong, sentence in (
+                ('name="water"', 'nme="water"', "did you mean 'name'?"),
+                ('name="water" region="water"', 'name="water" region="watr"', "did you mean 'water'?"),
+                ("<energy name=\"water\"", "<enrgy name=\"water\"", "did you mean 'energy'?")):
+            deck.write_text(text.replace(right, wrong, 1))
+            done = hawser(2, "run", deck, "--dry-run")
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn(sentence, done.stderr)
+
+    def test_is_described(self):
+        self.assertIn("density", hawser(1, "describe", "energy", "--plugin", "energy").stdout)
+        self.assertEqual(hawser(1, "describe", "energy").returncode, 2)
 
 
 class UnfitPlugin(unittest.TestCase):

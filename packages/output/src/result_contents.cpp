@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 /// Steps of every grid there are files of, in ascending order.
 std::map<std::string, std::vector<int>> written_steps(const std::string& folder) {
   std::map<std::string, std::vector<int>> steps;
-  const std::regex name("([a-z_]+)-([0-9]{6,})\\.h5");
+  const std::regex name("(.+)-([0-9]{6,})\\.h5");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     std::smatch parts;
     const std::string file = entry.path().filename();
@@ -61,6 +61,23 @@ TableContents read_table(const std::string& path) {
   return table;
 }
 
+/// Every table over time, history.csv first.
+std::vector<TableContents> read_tables(const std::string& folder) {
+  std::vector<TableContents> tables;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".csv") continue;
+    TableContents table = read_table(entry.path());
+    if (!table.columns.empty() && table.columns.front() == "t_s") tables.push_back(table);
+  }
+  std::sort(tables.begin(), tables.end(), [](const TableContents& a, const TableContents& b) {
+    const auto place = [](const TableContents& table) {
+      return std::pair(table.file != "history.csv", table.file);
+    };
+    return place(a) < place(b);
+  });
+  return tables;
+}
+
 }  // namespace
 
 ResultContents read_contents(const Communicator& communicator, const std::string& path) {
@@ -80,8 +97,7 @@ ResultContents read_contents(const Communicator& communicator, const std::string
   };
   if (there("checkpoint.h5"))
     contents.checkpoint = CheckpointReader(communicator, path + "/checkpoint.h5").header();
-  for (const char* table : {"history.csv", "cable.csv"})
-    if (there(table)) contents.tables.push_back(read_table(path + "/" + table));
+  contents.tables = read_tables(path);
   if (there("summary.json")) {
     std::ostringstream text;
     text << std::ifstream(path + "/summary.json").rdbuf();

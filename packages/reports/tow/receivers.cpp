@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/base/constants.hpp"
-
 namespace hawser {
 namespace {
-
-constexpr double degree = pi / 180;
 
 std::vector<Column> columns_in(const Mesh& mesh) {
   std::vector<Column> columns = {

@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "hawser/base/constants.hpp"
 #include "hawser/deck/spec.hpp"
 
 namespace hawser {
+
+constexpr double degree = pi / 180;  // rad
 
 /// Receivers along the towed cable, as a table over time.
 struct ReceiversDeck {

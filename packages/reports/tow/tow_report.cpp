@@ -6,16 +6,12 @@
 #include <cmath>
 #include <sstream>
 
-#include "hawser/base/constants.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/fields/look_up.hpp"
 #include "hawser/physics/field_use.hpp"
 #include "tow.hpp"
 
 namespace hawser {
-namespace {
-constexpr double degree = pi / 180;
-}
 
 void register_tow(ReportRegistry& registry) { registry.add<TowReport>(); }
 

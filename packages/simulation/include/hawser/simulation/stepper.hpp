@@ -61,6 +61,7 @@ class Stepper {
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 
+  const Case& run_case() const { return case_; }
   bool finished() const;
   double time() const;  ///< s, of the last accepted state
   int steps() const;    ///< accepted, those before a restart included
@@ -86,7 +87,6 @@ class Stepper {
   void save(const std::string& checkpoint);
 
   // Not stable: for what looks inside.
-  const Case& run_case() const { return case_; }
   System& system() { return *system_; }
   const System& system() const { return *system_; }
   const Step& last() const { return *last_; }  ///< accepted
