@@ -15,7 +15,6 @@ set(HAWSER_CONFINED_HEADERS
   "[a-z]mumps|packages/solve/src"
   "metis|packages/mesh/src"
   "pugixml|packages/deck/src"
-  "muParser|packages/deck/src"
   "nlohmann/|packages/output/src packages/log/src packages/simulation/src/json_log.cpp packages/study/src apps/hawser"
   "gmsh|apps/mesher"
   "(hdf5|H5[A-Z])[A-Za-z]*public|packages/output/src"

@@ -5,7 +5,7 @@
 
 #include "hawser/deck/spec_reader.hpp"
 #include "src/deck_edit.hpp"
-#include "src/formula.hpp"
+#include "src/formula_tokens.hpp"
 #include "src/quantity.hpp"
 
 namespace hawser {

@@ -4,13 +4,9 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/deck/value.hpp"
-#include "src/formula.hpp"
+#include "src/parse_formula.hpp"
 
 namespace hawser {
-
-struct Expression::Formula : CompiledFormula {
-  using CompiledFormula::CompiledFormula;
-};
 
 Expression::Expression(double value) : value_(value), text_(write_value(value)) {}
 
@@ -21,14 +17,14 @@ Expression::Expression(const std::string& formula, const Location& location) {
 
 std::string Expression::compile(const std::string& formula, const Location& location,
                                 const NamedValues* names, Expression& result) {
-  std::string fault;
-  auto compiled = std::make_shared<Formula>(formula, names, fault);
+  auto compiled = std::make_shared<Formula>();
+  const std::string fault = parse_formula(formula, names, *compiled);
   if (!fault.empty()) return fault;
   result = Expression();
   result.text_ = formula;
   result.location_ = location;
   if (!compiled->uses_any("xyzXYZt")) {
-    result.value_ = compiled->evaluate({});
+    result.value_ = compiled->value({});
     if (!std::isfinite(result.value_)) return "its value is not finite";
   } else {
     result.formula_ = std::move(compiled);
@@ -45,42 +41,31 @@ Expression Expression::constant(double value, const std::optional<Unit>& unit,
 }
 
 double Expression::operator()(const SpaceTime& point) const {
-  return formula_ ? evaluate(point) : value_;
-}
-
-double Expression::evaluate(const SpaceTime& point) const {
-  const double value = formula_->evaluate(point);
-  if (std::isfinite(value)) return value;
-  std::string where = "x = " + write_value(point.x) + ", y = " + write_value(point.y);
-  if (point.z != 0) where += ", z = " + write_value(point.z);
-  throw SolveError(location_.text() + ": the expression '" + text_ + "' is " +
-                   (std::isnan(value) ? "not a number" : "infinite") + " at " + where +
-                   " m, t = " + write_value(point.t) + " s");
-}
-
-double Expression::derivative_step(double value) { return 6e-6 * std::fmax(1.0, std::fabs(value)); }
-
-double Expression::derivative(const SpaceTime& point, double SpaceTime::*variable) const {
-  const double step = derivative_step(point.*variable);
-  SpaceTime ahead = point, behind = point;
-  ahead.*variable += step;
-  behind.*variable -= step;
-  // At the edge of the formula's domain, such as sqrt(t) at the start, from the inner side only.
-  if (!std::isfinite(formula_->evaluate(behind))) behind = point;
-  if (!std::isfinite(formula_->evaluate(ahead))) ahead = point;
-  // The step that was really made, after rounding.
-  return (evaluate(ahead) - evaluate(behind)) / (ahead.*variable - behind.*variable);
+  return formula_ ? finite(formula_->value(point), "expression", point) : value_;
 }
 
 double Expression::time_derivative(const SpaceTime& point) const {
-  return depends_on_time() ? derivative(point, &SpaceTime::t) : 0;
+  if (!depends_on_time()) return 0;
+  return finite(formula_->value_and_slopes(point).slope[3], "derivative in t of the expression",
+                point);
 }
 
-std::array<double, 3> Expression::gradient(const SpaceTime& point) const {
-  const auto along = [&](const char* name, double SpaceTime::*variable) {
-    return formula_ && formula_->uses_any(name) ? derivative(point, variable) : 0;
-  };
-  return {along("x", &SpaceTime::x), along("y", &SpaceTime::y), along("z", &SpaceTime::z)};
+Expression::Tangent Expression::tangent(const SpaceTime& point) const {
+  if (!depends_on_moved_position()) return {(*this)(point), {}};
+  const Dual found = formula_->value_and_slopes(point);
+  return {finite(found.value, "expression", point),
+          {finite(found.slope[0], "derivative in x of the expression", point),
+           finite(found.slope[1], "derivative in y of the expression", point),
+           finite(found.slope[2], "derivative in z of the expression", point)}};
+}
+
+double Expression::finite(double number, const char* what, const SpaceTime& point) const {
+  if (std::isfinite(number)) return number;
+  std::string where = "x = " + write_value(point.x) + ", y = " + write_value(point.y);
+  if (point.z != 0) where += ", z = " + write_value(point.z);
+  throw SolveError(location_.text() + ": the " + what + " \'" + text_ + "' is " +
+                   (std::isnan(number) ? "not a number" : "infinite") + " at " + where +
+                   " m, t = " + write_value(point.t) + " s");
 }
 
 bool Expression::depends_on_time() const { return formula_ && formula_->uses_any("t"); }

@@ -1,39 +1,71 @@
 #pragma once
-// A formula compiled by muParser.
-#include <muParser.h>
-
+// A formula as a program in postfix order: "2*x + t" is 2, x, *, t, +. It is evaluated on numbers,
+// or on numbers with their derivatives (forward differentiation), by the same program.
 #include <string>
 #include <vector>
 
 #include "hawser/deck/expression.hpp"
+#include "src/dual.hpp"
+#include "src/formula_functions.hpp"
 
 namespace hawser {
 
-/// Names that a parameter cannot have: variables, constants, functions. Sorted.
-std::vector<std::string> names_of_formulas();
-
-class CompiledFormula {
+/// Evaluations change nothing and allocate nothing: any number of threads may share one.
+class Formula {
  public:
-  /// `fault` receives what is wrong with the formula, or "". `names` may be null.
-  CompiledFormula(const std::string& formula, const NamedValues* names, std::string& fault);
-  CompiledFormula(const CompiledFormula&) = delete;  // the parser holds addresses of point_
-  CompiledFormula& operator=(const CompiledFormula&) = delete;
+  static constexpr int deepest = 64;  ///< values that wait for their operation at once
 
-  double evaluate(const SpaceTime& point) const {
-    point_ = point;
-    return parser_.Eval();
-  }
-  std::vector<std::string> names() const;             ///< of variables, constants and functions
+  enum class Operation {
+    number,
+    variable,
+    negate,
+    add,
+    subtract,
+    multiply,
+    divide,
+    whole_power,  ///< to the exponent `number`, a small whole one
+    less,
+    greater,
+    at_most,
+    at_least,
+    equal,
+    unequal,
+    both,
+    either,
+    choose,  ///< of a condition, the value if it holds, the value if not
+    function_of_one,
+    function
+  };
+  struct Variable {
+    char name;
+    double SpaceTime::*member;
+    int direction;  ///< among a Dual's derivatives; -1: it is none of them
+  };
+  struct Step {
+    Operation operation;
+    int operands = 0;  ///< that it takes off the stack, to put one value there
+    double number = 0;
+    const Variable* variable = nullptr;
+    const FormulaFunction* function = nullptr;
+  };
+
+  /// What can be worked out at once, is. The result must not be evaluated when depth() > deepest.
+  void append(const Step& step);
+  /// The base is there, the exponent too, unless it is known: small whole ones are multiplied out.
+  void append_power();
+  int depth() const { return depth_; }
+
+  double value(const SpaceTime& at) const { return run<double>(at); }
+  Dual value_and_slopes(const SpaceTime& at) const { return run<Dual>(at); }
   bool uses_any(const std::string& variables) const;  ///< one letter each
 
  private:
-  void define_names(const NamedValues* names);
-  std::string fault_in_names(const std::string& formula) const;
-  std::string compile(const std::string& formula);
+  template <class T>
+  T run(const SpaceTime& at) const;
 
-  mutable SpaceTime point_;
-  mu::Parser parser_;
-  std::string used_;  // the variables, one letter each
+  std::vector<Step> steps_;
+  std::string used_;  // variables, a letter each
+  int waiting_ = 0, depth_ = 0;
 };
 
 }  // namespace hawser

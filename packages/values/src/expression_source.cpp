@@ -15,7 +15,7 @@ void ExpressionSource::time_derivative(const SpaceTime& at, double* rates) const
 }
 
 void ExpressionSource::gradient(const SpaceTime& at, int component, double* slope) const {
-  const auto found = formulas_[static_cast<std::size_t>(component)].gradient(at);
+  const auto found = formulas_[static_cast<std::size_t>(component)].tangent(at).gradient;
   std::copy(found.begin(), found.end(), slope);
 }
 

@@ -2,8 +2,10 @@
 // A number, or a formula of place and time, as decks give it: "-0.5*ramp(t, 0, 100)".
 //
 // Variables: t (s); x, y, z (m) where the moving point is now; X, Y, Z (m) where it was at first.
-// Constants: pi and the deck's parameters, in SI units. Functions, beside muParser's sin, exp,
-// sqrt, abs, min, max, atan2, a ? b : c, ...:
+// Constants: pi and the deck's parameters, in SI units. Operators, from weak to strong: a ? b : c,
+// ||, &&, comparisons (1 or 0), + -, * /, the sign, ^ (from the right; -2^2 is -4). Functions: sin
+// cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp ln log (natural too) log2 log10
+// sqrt abs sign rint (halves go up) min max sum avg, and
 //   ramp(t, start, duration)           0 before, 1 after, 10 s^3 - 15 s^4 + 6 s^5 between (C2)
 //   ramp_distance(t, start, duration)  its integral over t, in s: the way of a ramped unit speed
 #include <array>
@@ -23,7 +25,12 @@ struct SpaceTime {
   double t = 0;                ///< time, s
 };
 
-/// Compiled once; copies share the compiled formula. Not for two threads at once.
+class Formula;
+
+/// Compiled once; copies share the compiled formula, also in several threads. Derivatives are exact
+/// (forward differentiation). At a kink they are those of one side: abs, sign and rint have slope 0
+/// where they bend or jump, min and max the slope of the first of equal arguments, a ? b : c that
+/// of the value taken.
 ///
 /// A result that is not finite throws SolveError naming place and time. Evaluations inside an
 /// element loop therefore belong into Communicator::together or an equivalent flag.
@@ -42,10 +49,13 @@ class Expression {
 
   double operator()(const SpaceTime& point) const;
 
-  /// Central difference over +-derivative_step(t).
+  /// Per s, at a fixed place.
   double time_derivative(const SpaceTime& point) const;
-  /// With respect to the moved position x, y, z: central differences over +-derivative_step(x) etc.
-  std::array<double, 3> gradient(const SpaceTime& point) const;
+  struct Tangent {
+    double value = 0;
+    std::array<double, 3> gradient{};  ///< per m, by the moved position x, y, z
+  };
+  Tangent tangent(const SpaceTime& point) const;
 
   bool is_constant() const { return !formula_; }
   bool depends_on_time() const;
@@ -57,13 +67,9 @@ class Expression {
   /// The unit that a constant was given with, so that its dimension can be checked.
   const std::optional<Unit>& unit() const { return unit_; }
 
-  /// 6e-6 (about the cube root of the rounding unit) times the larger of |value| and 1 (s or m).
-  static double derivative_step(double value);
-
  private:
-  struct Formula;
-  double evaluate(const SpaceTime& point) const;
-  double derivative(const SpaceTime& point, double SpaceTime::*variable) const;
+  /// `number`, which is `what`, unless it is not finite.
+  double finite(double number, const char* what, const SpaceTime& point) const;
 
   double value_ = 0;  // when constant
   std::shared_ptr<const Formula> formula_;

@@ -10,8 +10,8 @@
 namespace hawser {
 
 /// The expression at the reference position X (m) displaced by d (m). A T that carries derivatives
-/// receives those with respect to d: the expression's central differences, by the chain rule.
-/// SolveError when the result is not finite; the assembler raises it on all ranks.
+/// receives those with respect to d. SolveError when the result or a derivative is not finite; the
+/// assembler raises it on all ranks.
 template <class T, int D>
 T at_place(const Expression& expression, const Vector<double, D>& X, const Vector<T, D>& d,
            double time) {
@@ -25,14 +25,16 @@ T at_place(const Expression& expression, const Vector<double, D>& X, const Vecto
     place.*reference[j] = X[j];
     place.*moved[j] = X[j] + Sacado::ScalarValue<T>::eval(d[j]);
   }
-  T result = expression(place);
-  if constexpr (!std::is_same_v<T, double>)
-    if (expression.depends_on_moved_position()) {
-      const auto slope = expression.gradient(place);
-      for (int j = 0; j < D; ++j)
-        result += slope[static_cast<std::size_t>(j)] * (d[j] - Sacado::ScalarValue<T>::eval(d[j]));
-    }
-  return result;
+  if constexpr (std::is_same_v<T, double>) {
+    return expression(place);
+  } else {
+    const Expression::Tangent tangent = expression.tangent(place);
+    T result = tangent.value;
+    for (int j = 0; j < D; ++j)
+      result += tangent.gradient[static_cast<std::size_t>(j)] *
+                (d[j] - Sacado::ScalarValue<T>::eval(d[j]));
+    return result;
+  }
 }
 
 }  // namespace hawser
