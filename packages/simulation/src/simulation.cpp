@@ -170,10 +170,17 @@ struct Simulation::Implementation {
     Summary summary = record->summary();
     Summary& timings = summary.object("timings");
     timings.set("setup_s", setup_watch.seconds());
-    timings.set("residual_s", system->problem->residual_seconds());
-    timings.set("tangent_s", system->problem->tangent_seconds());
-    timings.set("linear_solve_s", newton_watch.seconds() - system->problem->residual_seconds() -
-                                      system->problem->tangent_seconds());
+    const LinearSolver& linear = system->driver->linear_solver();
+    double rest = newton_watch.seconds();
+    for (const auto& [phase, seconds] :
+         {std::pair("residual_s", system->problem->residual_seconds()),
+          {"tangent_s", system->problem->tangent_seconds()},
+          {"factor_s", linear.factor_seconds()},
+          {"linear_solve_s", linear.solve_seconds()}}) {
+      timings.set(phase, seconds);
+      rest -= seconds;
+    }
+    timings.set("newton_rest_s", rest);
     timings.set("output_s", record->seconds());
     summary.set("wall_s", setup_watch.seconds() + run_watch.seconds());
     add_provenance(communicator, summary);

@@ -8,6 +8,7 @@
 
 #include "gmres.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/stopwatch.hpp"
 #include "row_scaling.hpp"
 
 namespace hawser {
@@ -31,6 +32,7 @@ struct LinearSolver::Implementation {
   }
 
   void refresh() {
+    const auto lap = factor_watch.lap();
     matrix_is_new = true;  // the scaling is made anew with the factor, and kept as long
     refresh_due = true;
     scale_matrix();
@@ -69,6 +71,7 @@ struct LinearSolver::Implementation {
   bool analysed = false;
   double fresh_effort = -1;  ///< iterations per decade of the factor's first solve; -1: none yet
   int factorizations = 0;
+  Stopwatch factor_watch, solve_watch;
 };
 
 namespace {
@@ -101,6 +104,10 @@ void LinearSolver::drop_factor() { implementation_->refresh_due = true; }
 const LinearOptions& LinearSolver::options() const { return implementation_->options; }
 
 int LinearSolver::factorizations() const { return implementation_->factorizations; }
+
+double LinearSolver::factor_seconds() const { return implementation_->factor_watch.seconds(); }
+
+double LinearSolver::solve_seconds() const { return implementation_->solve_watch.seconds(); }
 
 void LinearSolver::scale(const TpetraVector& residual, TpetraVector& scaled) const {
   implementation_->scaling.apply(residual, scaled);
@@ -135,6 +142,7 @@ LinearReport LinearSolver::solve(const TpetraVector& rhs, TpetraVector& x, doubl
   }
 
   const auto attempt = [&] {
+    const auto lap = self.solve_watch.lap();
     const auto outcome = gmres(self.scaled, *self.factor, self.options, tolerance, self.b, x);
     report.iterations += outcome.iterations;
     report.reached = self.relative_residual(x);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/stopwatch.hpp"
 #include "reaction_transport.hpp"
 
 namespace hawser {
@@ -47,6 +48,24 @@ class LinearSolverTest : public testing::Test {
   Teuchos::RCP<TpetraMatrix> matrix = problem.system().matrix;
   TpetraVector rhs, x;
 };
+
+TEST_F(LinearSolverTest, WatchesTellFactorAndSolveApart) {
+  LinearOptions options;
+  options.keep_factor = true;
+  LinearSolver solver(problem.system(), options);
+  Stopwatch all;
+  {
+    const auto lap = all.lap();
+    solver.solve(rhs, x);
+  }
+  const double factor = solver.factor_seconds(), solve = solver.solve_seconds();
+  EXPECT_GT(factor, 0);
+  EXPECT_GT(solve, 0);
+  EXPECT_LE(factor + solve, all.seconds());
+  solver.solve(rhs, x);  // with the kept factor
+  EXPECT_EQ(solver.factor_seconds(), factor);
+  EXPECT_GT(solver.solve_seconds(), solve);
+}
 
 TEST_F(LinearSolverTest, GmresMeetsItsToleranceInBothUnits) {
   LinearSolver solver(problem.system(), {});

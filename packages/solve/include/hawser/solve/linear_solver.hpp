@@ -64,6 +64,9 @@ class LinearSolver {
   const LinearOptions& options() const;
   int factorizations() const;  ///< made since construction
 
+  double factor_seconds() const;  ///< this rank's wall time in making factors
+  double solve_seconds() const;   ///< and in GMRES, the factors' application included
+
  private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
