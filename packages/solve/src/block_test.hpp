@@ -1,14 +1,17 @@
 #pragma once
-// NOX's stopping test: every named block is in balance, or the iterations are used up.
+// NOX's test of convergence: every named block is in balance.
 #include <NOX_StatusTest_Generic.H>
 
-#include "newton.hpp"
+#include "newton_group.hpp"
 
 namespace hawser {
 
 class BlockTest : public NOX::StatusTest::Generic {
  public:
-  explicit BlockTest(Newton& newton) : newton_(newton) {}
+  /// Tests `group`, the solver's iterate, and records its norms. With `first_jacobian` the first
+  /// iterate is judged by its own Jacobian, which Newton needs next.
+  BlockTest(Newton& newton, NewtonGroup& group, bool first_jacobian)
+      : newton_(newton), group_(group), first_jacobian_(first_jacobian) {}
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver,
                                           NOX::StatusTest::CheckType type) override;
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
@@ -16,6 +19,8 @@ class BlockTest : public NOX::StatusTest::Generic {
 
  private:
   Newton& newton_;
+  NewtonGroup& group_;
+  bool first_jacobian_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 

@@ -1,10 +1,41 @@
 #include "lagged.hpp"
 
+#include <NOX_StatusTest_Generic.H>
 #include <Tpetra_Vector.hpp>
 
-#include "anderson.hpp"
+#include <algorithm>
+
+#include "nox_solve.hpp"
 
 namespace hawser {
+namespace {
+
+/// Remembers the best iterate, and fails when the residual is `growth` times as large as its own.
+class GrowthTest : public NOX::StatusTest::Generic {
+ public:
+  GrowthTest(const NewtonGroup& group, double growth, TpetraVector& best)
+      : group_(group), growth_(growth), best_(best) {}
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic&,
+                                          NOX::StatusTest::CheckType) override {
+    const double norm = group_.getNormF();
+    if (least_ < 0 || norm < least_) {
+      least_ = norm;
+      best_.update(1.0, group_.x(), 0.0);
+    }
+    return status_ =
+               norm > growth_ * least_ ? NOX::StatusTest::Failed : NOX::StatusTest::Unconverged;
+  }
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int) const override { return stream; }
+
+ private:
+  const NewtonGroup& group_;
+  double growth_, least_ = -1;
+  TpetraVector& best_;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+};
+
+}  // namespace
 
 bool Lagged::solve(TpetraVector& x) {
   if (!newton_.options.lagged) return false;
@@ -20,32 +51,22 @@ bool Lagged::solve(TpetraVector& x) {
 
 bool Lagged::iterate(TpetraVector& x) {
   const auto& options = newton_.options;
-  TpetraVector f(x.getMap()), magnitude(x.getMap()), scaled(x.getMap()), update(x.getMap());
-  TpetraVector best(x, Teuchos::Copy);
-  double least = -1;
-  Anderson anderson(options.anderson_depth);
+  const auto group = Teuchos::rcp(new NewtonGroup(newton_, x));
+  auto parameters = quiet_parameters();
+  parameters->set("Nonlinear Solver", "Anderson Accelerated Fixed-Point");
+  auto& anderson = parameters->sublist("Anderson Parameters");
+  anderson.set("Storage Depth",
+               std::min(options.anderson_depth, static_cast<int>(x.getGlobalLength())));
+  anderson.sublist("Preconditioning").set("Precondition", true);
   try {
-    newton_.compute_residual(x, f, magnitude);
-    for (int iteration = 0;; ++iteration) {
-      if (newton_.judge(iteration, x, 0, f, magnitude)) return true;
-      const double norm = newton_.linear.scaled_norm(f);
-      if (least < 0 || norm < least) {
-        least = norm;
-        best.update(1.0, x, 0.0);
-      }
-      if (iteration == options.lagged_iterations || norm > options.lagged_growth * least) break;
-      newton_.solve_linear(f, update, options.lagged_tolerance);
-      if (newton_.last_linear().factored)
-        anderson.forget();  // the measure of residuals has changed
-      newton_.linear.scale(f, scaled);
-      anderson.advance(scaled, update, x);
-      newton_.compute_residual(x, f, magnitude);
-      newton_.accept_step(1.0, norm, newton_.linear.scaled_norm(f));
+    const auto growth = Teuchos::rcp(new GrowthTest(*group, options.lagged_growth, x));
+    if (nox_solve(newton_, group, parameters, options.lagged_iterations, growth)) {
+      x.update(1.0, group->x(), 0.0);
+      return true;
     }
   } catch (const SolveError&) {
     // Thrown on all ranks alike; Newton, which has a line search, may do better.
   }
-  x.update(1.0, best, 0.0);
   return false;
 }
 
