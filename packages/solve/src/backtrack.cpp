@@ -31,6 +31,7 @@ bool Backtrack::compute(NOX::Abstract::Group& group, double& step,
     if (acceptable || !newton_.options.line_search) {
       if (norm > newton_.options.divergence * first_norm_)
         throw newton_.failure("the residual diverges", trial.residual(), trial.magnitude());
+      newton_.shift *= norm / norm_before;  // the pseudo-time step grows as the residual falls
       return true;
     }
     reason = newton_.failure("the residual grows", trial.residual(), trial.magnitude()).what();

@@ -1,6 +1,5 @@
 #include "lagged.hpp"
 
-#include <NOX_StatusTest_Generic.H>
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
@@ -8,34 +7,6 @@
 #include "nox_solve.hpp"
 
 namespace hawser {
-namespace {
-
-/// Remembers the best iterate, and fails when the residual is `growth` times as large as its own.
-class GrowthTest : public NOX::StatusTest::Generic {
- public:
-  GrowthTest(const NewtonGroup& group, double growth, TpetraVector& best)
-      : group_(group), growth_(growth), best_(best) {}
-  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic&,
-                                          NOX::StatusTest::CheckType) override {
-    const double norm = group_.getNormF();
-    if (least_ < 0 || norm < least_) {
-      least_ = norm;
-      best_.update(1.0, group_.x(), 0.0);
-    }
-    return status_ =
-               norm > growth_ * least_ ? NOX::StatusTest::Failed : NOX::StatusTest::Unconverged;
-  }
-  NOX::StatusTest::StatusType getStatus() const override { return status_; }
-  std::ostream& print(std::ostream& stream, int) const override { return stream; }
-
- private:
-  const NewtonGroup& group_;
-  double growth_, least_ = -1;
-  TpetraVector& best_;
-  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
-};
-
-}  // namespace
 
 bool Lagged::solve(TpetraVector& x) {
   if (!newton_.options.lagged) return false;
@@ -58,9 +29,18 @@ bool Lagged::iterate(TpetraVector& x) {
   anderson.set("Storage Depth",
                std::min(options.anderson_depth, static_cast<int>(x.getGlobalLength())));
   anderson.sublist("Preconditioning").set("Precondition", true);
+  double least = -1;
+  const auto remember_the_best = [&](const NOX::Solver::Generic&) {
+    const double norm = group->getNormF();
+    if (least < 0 || norm < least) {
+      least = norm;
+      x.update(1.0, group->x(), 0.0);
+    }
+    return norm > options.lagged_growth * least ? NOX::StatusTest::Failed
+                                                : NOX::StatusTest::Unconverged;
+  };
   try {
-    const auto growth = Teuchos::rcp(new GrowthTest(*group, options.lagged_growth, x));
-    if (nox_solve(newton_, group, parameters, options.lagged_iterations, growth)) {
+    if (nox_solve(newton_, group, parameters, options.lagged_iterations, remember_the_best)) {
       x.update(1.0, group->x(), 0.0);
       return true;
     }

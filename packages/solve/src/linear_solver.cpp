@@ -28,7 +28,15 @@ struct LinearSolver::Implementation {
     if (!matrix_is_new) return;
     if (refresh_due) scaling.compute(*system.matrix, system.communicator);
     scaling.apply(*system.matrix, *scaled);
+    if (shift != 0) add_to_diagonal();
     matrix_is_new = false;
+  }
+
+  void add_to_diagonal() {
+    const auto local = scaled->getLocalMatrixHost();  // columns: the rows, then the ghosts
+    for (LocalIndex row = 0; row < local.numRows(); ++row)
+      for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k)
+        if (local.graph.entries(k) == row) local.values(k) += shift;
   }
 
   void refresh() {
@@ -66,6 +74,7 @@ struct LinearSolver::Implementation {
   Teuchos::RCP<TpetraMatrix> scaled;  ///< the matrix, rows scaled; a copy
   TpetraVector b;                     ///< the right-hand side, scaled
   TpetraVector remainder;
+  double shift = 0;
   bool matrix_is_new = true;
   bool refresh_due = true;
   bool analysed = false;
@@ -94,8 +103,9 @@ LinearSolver::~LinearSolver() = default;
 LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
 LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
 
-void LinearSolver::matrix_changed() {
+void LinearSolver::matrix_changed(double shift) {
   implementation_->matrix_is_new = true;
+  implementation_->shift = shift;
   if (!implementation_->options.keep_factor) drop_factor();
 }
 

@@ -24,7 +24,7 @@ void Newton::forget() {
 void Newton::compute_jacobian(const TpetraVector& x) {
   problem.jacobian(x);
   ++report.jacobians;
-  linear.matrix_changed();
+  linear.matrix_changed(shift);
   round_off_ = product_magnitudes(problem.system(), x);
   for (double& value : round_off_)
     value *= options.round_off;

@@ -37,6 +37,7 @@ class Newton {
   NonlinearOptions options;
   NonlinearReport report;
   std::function<std::string(GlobalIndex)> describe_row;
+  double shift = 0;  ///< 1 / the present step of pseudo-transient continuation; 0: there is none
 
  private:
   std::vector<double> round_off_;  ///< per block, the residual that counts as none

@@ -55,6 +55,7 @@ NonlinearReport NonlinearDriver::solve(TpetraVector& x) {
   if (!implementation_->lagged.solve(start)) {
     const auto group = Teuchos::rcp(new NewtonGroup(newton, start));
     const int most = newton.options.max_iterations;
+    newton.shift = newton.options.pseudo_step > 0 ? 1 / newton.options.pseudo_step : 0;
     if (!nox_solve(newton, group, newton_parameters(newton), most))
       throw newton.failure("no convergence in " + std::to_string(most) + " iterations",
                            group->residual(), group->magnitude());

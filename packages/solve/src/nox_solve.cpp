@@ -7,8 +7,6 @@
 #include <NOX_Utils.H>
 #include <Teuchos_oblackholestream.hpp>
 
-#include "block_test.hpp"
-
 namespace hawser {
 
 Teuchos::RCP<Teuchos::ParameterList> quiet_parameters() {
@@ -23,11 +21,17 @@ Teuchos::RCP<Teuchos::ParameterList> quiet_parameters() {
 
 bool nox_solve(Newton& newton, const Teuchos::RCP<NewtonGroup>& group,
                const Teuchos::RCP<Teuchos::ParameterList>& parameters, int max_iterations,
-               const Teuchos::RCP<NOX::StatusTest::Generic>& further) {
+               StatusTest::Function further) {
   using namespace NOX::StatusTest;
+  const auto balance = [&](const NOX::Solver::Generic& solver) {
+    // Newton needs the first Jacobian next anyway, and it tells what is round-off at the start.
+    if (!further && solver.getNumIterations() == 0 && !newton.balanced(group->norms()))
+      group->computeJacobian();
+    return newton.record(group->norms()) ? Converged : Unconverged;
+  };
   const auto tests = Teuchos::rcp(new Combo(Combo::OR));
-  tests->addStatusTest(Teuchos::rcp(new BlockTest(newton, *group, further.is_null())));
-  if (!further.is_null()) tests->addStatusTest(further);
+  tests->addStatusTest(Teuchos::rcp(new hawser::StatusTest(balance)));
+  if (further) tests->addStatusTest(Teuchos::rcp(new hawser::StatusTest(further)));
   tests->addStatusTest(Teuchos::rcp(new MaxIters(max_iterations)));
   return NOX::Solver::buildSolver(group, tests, parameters)->solve() == Converged;
 }

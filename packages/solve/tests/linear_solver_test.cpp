@@ -49,6 +49,20 @@ class LinearSolverTest : public testing::Test {
   TpetraVector rhs, x;
 };
 
+// The matrix' rows are of different units, the shift is of the scaled rows' order, one.
+TEST_F(LinearSolverTest, AShiftDampsAllRowsAlike) {
+  LinearSolver solver(problem.system(), {});
+  solver.solve(rhs, x);
+  const double size = x.norm2();
+  solver.matrix_changed(1e6);
+  TpetraVector damped(x.getMap()), scaled(x.getMap());
+  solver.solve(rhs, damped);
+  EXPECT_LT(damped.norm2(), 1e-3 * size);
+  solver.scale(rhs, scaled);
+  scaled.update(-1e6, damped, 1.0);
+  EXPECT_LT(scaled.norm2(), 1e-4 * 1e6 * damped.norm2());
+}
+
 TEST_F(LinearSolverTest, WatchesTellFactorAndSolveApart) {
   LinearOptions options;
   options.keep_factor = true;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "hawser/base/error.hpp"
+#include "pointwise_problem.hpp"
 #include "reaction_transport.hpp"
 
 namespace hawser {
@@ -147,6 +149,20 @@ TEST(NonlinearDriver, ForcingSavesLinearIterations) {
   const auto forced = solve({}, options);
   EXPECT_LT(forced.report.linear_iterations, fixed.report.linear_iterations);
   EXPECT_LE(forced.report.ratios.back(), options.tolerance);
+}
+
+// Newton's method goes round between 0 and 1; where x' = -f leads, at -1.77, it would be at home.
+TEST(NonlinearDriver, PseudoTransientContinuationLeavesACycle) {
+  test::PointwiseProblem problem([](double x) { return x * x * x - 2 * x + 2; },
+                                 [](double x) { return 3 * x * x - 2; });
+  NonlinearOptions options;
+  auto x = problem.guess(0);
+  EXPECT_THROW(NonlinearDriver(problem, {}, options).solve(x), SolveError);
+  options.pseudo_step = 0.5;
+  const auto& ratios = NonlinearDriver(problem, {}, options).solve(x).ratios;
+  EXPECT_NEAR(x.meanValue(), -1.7692923542386314, 1e-9);
+  ASSERT_GE(ratios.size(), 3U);  // Newton's own speed at the end
+  EXPECT_LT(ratios.back(), 1e-2 * ratios[ratios.size() - 2]);
 }
 
 TEST(NonlinearDriver, StartsFromTheSolutionWithoutAStep) {

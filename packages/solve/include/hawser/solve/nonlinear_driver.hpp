@@ -31,6 +31,10 @@ struct NonlinearOptions {
   bool forcing = false;
   double forcing_max = 1e-2;
 
+  /// Pseudo-transient continuation (Kelley and Keyes 1998): the row-scaled Jacobian plus 1/step on
+  /// its diagonal; the step begins with this value and grows as the residual falls. 0: none.
+  double pseudo_step = 0;
+
   /// First iterate on the residual alone, with the Jacobian and factor of an earlier solve,
   /// Anderson-accelerated; a new Jacobian is made, and Newton takes over from the best iterate,
   /// when that takes more than lagged_iterations or the residual grows lagged_growth-fold. When it
