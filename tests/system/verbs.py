@@ -66,6 +66,11 @@ class JsonLog(SystemTest):
                              [step["step"] for step in of("step") if step["step"] % 2 == 0])
             self.assertEqual(events[-1]["event"], "end")
             self.assertEqual(events[-1]["summary"], summary)
+            phases = summary["timings"]
+            self.assertEqual(list(phases), ["setup_s", "residual_s", "tangent_s", "factor_s", "linear_solve_s",
+                                            "newton_rest_s", "output_s"])
+            self.assertGreater(min(phases.values()), 0)  # the rest is none if they overlap
+            self.assertLessEqual(sum(phases.values()), summary["wall_s"])
 
     def test_an_error_is_the_last_event(self):
         deck = edited("json_fails", newton_max_iterations="1", newton_tolerance="1e-12", time_least_step="20")

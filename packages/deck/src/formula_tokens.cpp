@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "hawser/base/constants.hpp"
 #include "hawser/deck/diagnostics.hpp"
 #include "hawser/deck/spec_reader.hpp"
 #include "src/number.hpp"
@@ -14,7 +15,6 @@ constexpr Formula::Variable variables[] = {{'X', &SpaceTime::X, -1}, {'Y', &Spac
                                            {'Z', &SpaceTime::Z, -1}, {'t', &SpaceTime::t, 3},
                                            {'x', &SpaceTime::x, 0},  {'y', &SpaceTime::y, 1},
                                            {'z', &SpaceTime::z, 2}};
-constexpr double pi = 3.14159265358979323846;
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }

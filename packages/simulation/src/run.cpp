@@ -114,12 +114,18 @@ class Run {
 
   void add_timings(Summary& summary) const {
     const CoupledProblem& problem = *stepper_->system().problem;
+    const LinearSolver& linear = stepper_->system().driver->linear_solver();
     Summary& timings = summary.object("timings");
     timings.set("setup_s", setup_watch_.seconds());
-    timings.set("residual_s", problem.residual_seconds());
-    timings.set("tangent_s", problem.tangent_seconds());
-    timings.set("linear_solve_s", stepper_->newton_seconds() - problem.residual_seconds() -
-                                      problem.tangent_seconds());
+    double rest = stepper_->newton_seconds();
+    for (const auto& [phase, seconds] : {std::pair("residual_s", problem.residual_seconds()),
+                                         {"tangent_s", problem.tangent_seconds()},
+                                         {"factor_s", linear.factor_seconds()},
+                                         {"linear_solve_s", linear.solve_seconds()}}) {
+      timings.set(phase, seconds);
+      rest -= seconds;
+    }
+    timings.set("newton_rest_s", rest);
     timings.set("output_s", record_->seconds());
     summary.set("wall_s", setup_watch_.seconds() + run_watch_.seconds());
   }

@@ -13,7 +13,8 @@ bool Backtrack::compute(NOX::Abstract::Group& group, double& step,
                         const NOX::Solver::Generic& solver) {
   auto& trial = dynamic_cast<NewtonGroup&>(group);
   const auto& start = dynamic_cast<const NewtonGroup&>(solver.getPreviousSolutionGroup());
-  const double norm_before = newton_.linear.scaled_norm(start.residual());
+  const double norm_before = start.getNormF();
+  if (first_norm_ < 0) first_norm_ = norm_before;
   const int cuts = newton_.options.line_search ? newton_.options.max_cuts : 0;
   std::string reason;
   step = 1;
@@ -25,12 +26,12 @@ bool Backtrack::compute(NOX::Abstract::Group& group, double& step,
       reason = error.what();
       continue;
     }
-    const double norm = newton_.linear.scaled_norm(trial.residual());
+    const double norm = trial.getNormF();
     const bool acceptable = norm <= newton_.options.allowed_growth * norm_before;
     if (acceptable || !newton_.options.line_search) {
-      newton_.accept_step(step, norm_before, norm);
-      if (newton_.diverges(norm))
+      if (norm > newton_.options.divergence * first_norm_)
         throw newton_.failure("the residual diverges", trial.residual(), trial.magnitude());
+      newton_.shift *= norm / norm_before;  // the pseudo-time step grows as the residual falls
       return true;
     }
     reason = newton_.failure("the residual grows", trial.residual(), trial.magnitude()).what();

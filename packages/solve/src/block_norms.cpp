@@ -66,11 +66,11 @@ std::vector<double> product_magnitudes(const BlockSystem& system, const TpetraVe
   return sums;
 }
 
-int worst_of(const std::vector<BlockNorm>& norms) {
+std::size_t worst_of(const std::vector<BlockNorm>& norms) {
   std::size_t worst = 0;
   for (std::size_t i = 1; i < norms.size(); ++i)
     if (!(norms[i].ratio <= norms[worst].ratio) && !std::isnan(norms[worst].ratio)) worst = i;
-  return static_cast<int>(worst);
+  return worst;
 }
 
 std::string describe_block(const BlockSystem& system, const BlockNorm& norm, const Block& block,

@@ -17,8 +17,8 @@ std::vector<BlockNorm> block_norms(const BlockSystem& system, const TpetraVector
 /// do to a residual whose contributions cancel before they are recorded as its magnitude.
 std::vector<double> product_magnitudes(const BlockSystem& system, const TpetraVector& x);
 
-int worst_of(
-    const std::vector<BlockNorm>& norms);  ///< index of the largest ratio, a NaN before all
+/// Index of the largest ratio, a NaN before all.
+std::size_t worst_of(const std::vector<BlockNorm>& norms);
 
 /// "block fluid, field velocity: residual 1.2e+03 N, 3.1e-04 of its magnitude, largest at <row>".
 std::string describe_block(const BlockSystem& system, const BlockNorm& norm, const Block& block,

@@ -2,7 +2,9 @@
 
 #include <Tpetra_Vector.hpp>
 
-#include "anderson.hpp"
+#include <algorithm>
+
+#include "nox_solve.hpp"
 
 namespace hawser {
 
@@ -20,32 +22,31 @@ bool Lagged::solve(TpetraVector& x) {
 
 bool Lagged::iterate(TpetraVector& x) {
   const auto& options = newton_.options;
-  TpetraVector f(x.getMap()), magnitude(x.getMap()), scaled(x.getMap()), update(x.getMap());
-  TpetraVector best(x, Teuchos::Copy);
+  const auto group = Teuchos::rcp(new NewtonGroup(newton_, x));
+  auto parameters = quiet_parameters();
+  parameters->set("Nonlinear Solver", "Anderson Accelerated Fixed-Point");
+  auto& anderson = parameters->sublist("Anderson Parameters");
+  anderson.set("Storage Depth",
+               std::min(options.anderson_depth, static_cast<int>(x.getGlobalLength())));
+  anderson.sublist("Preconditioning").set("Precondition", true);
   double least = -1;
-  Anderson anderson(options.anderson_depth);
+  const auto remember_the_best = [&](const NOX::Solver::Generic&) {
+    const double norm = group->getNormF();
+    if (least < 0 || norm < least) {
+      least = norm;
+      x.update(1.0, group->x(), 0.0);
+    }
+    return norm > options.lagged_growth * least ? NOX::StatusTest::Failed
+                                                : NOX::StatusTest::Unconverged;
+  };
   try {
-    newton_.compute_residual(x, f, magnitude);
-    for (int iteration = 0;; ++iteration) {
-      if (newton_.judge(iteration, x, 0, f, magnitude)) return true;
-      const double norm = newton_.linear.scaled_norm(f);
-      if (least < 0 || norm < least) {
-        least = norm;
-        best.update(1.0, x, 0.0);
-      }
-      if (iteration == options.lagged_iterations || norm > options.lagged_growth * least) break;
-      newton_.solve_linear(f, update, options.lagged_tolerance);
-      if (newton_.last_linear().factored)
-        anderson.forget();  // the measure of residuals has changed
-      newton_.linear.scale(f, scaled);
-      anderson.advance(scaled, update, x);
-      newton_.compute_residual(x, f, magnitude);
-      newton_.accept_step(1.0, norm, newton_.linear.scaled_norm(f));
+    if (nox_solve(newton_, group, parameters, options.lagged_iterations, remember_the_best)) {
+      x.update(1.0, group->x(), 0.0);
+      return true;
     }
   } catch (const SolveError&) {
     // Thrown on all ranks alike; Newton, which has a line search, may do better.
   }
-  x.update(1.0, best, 0.0);
   return false;
 }
 

@@ -8,6 +8,7 @@
 
 #include "gmres.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/stopwatch.hpp"
 #include "row_scaling.hpp"
 
 namespace hawser {
@@ -27,10 +28,19 @@ struct LinearSolver::Implementation {
     if (!matrix_is_new) return;
     if (refresh_due) scaling.compute(*system.matrix, system.communicator);
     scaling.apply(*system.matrix, *scaled);
+    if (shift != 0) add_to_diagonal();
     matrix_is_new = false;
   }
 
+  void add_to_diagonal() {
+    const auto local = scaled->getLocalMatrixHost();  // columns: the rows, then the ghosts
+    for (LocalIndex row = 0; row < local.numRows(); ++row)
+      for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k)
+        if (local.graph.entries(k) == row) local.values(k) += shift;
+  }
+
   void refresh() {
+    const auto lap = factor_watch.lap();
     matrix_is_new = true;  // the scaling is made anew with the factor, and kept as long
     refresh_due = true;
     scale_matrix();
@@ -64,11 +74,13 @@ struct LinearSolver::Implementation {
   Teuchos::RCP<TpetraMatrix> scaled;  ///< the matrix, rows scaled; a copy
   TpetraVector b;                     ///< the right-hand side, scaled
   TpetraVector remainder;
+  double shift = 0;
   bool matrix_is_new = true;
   bool refresh_due = true;
   bool analysed = false;
   double fresh_effort = -1;  ///< iterations per decade of the factor's first solve; -1: none yet
   int factorizations = 0;
+  Stopwatch factor_watch, solve_watch;
 };
 
 namespace {
@@ -91,8 +103,9 @@ LinearSolver::~LinearSolver() = default;
 LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
 LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
 
-void LinearSolver::matrix_changed() {
+void LinearSolver::matrix_changed(double shift) {
   implementation_->matrix_is_new = true;
+  implementation_->shift = shift;
   if (!implementation_->options.keep_factor) drop_factor();
 }
 
@@ -101,6 +114,10 @@ void LinearSolver::drop_factor() { implementation_->refresh_due = true; }
 const LinearOptions& LinearSolver::options() const { return implementation_->options; }
 
 int LinearSolver::factorizations() const { return implementation_->factorizations; }
+
+double LinearSolver::factor_seconds() const { return implementation_->factor_watch.seconds(); }
+
+double LinearSolver::solve_seconds() const { return implementation_->solve_watch.seconds(); }
 
 void LinearSolver::scale(const TpetraVector& residual, TpetraVector& scaled) const {
   implementation_->scaling.apply(residual, scaled);
@@ -135,6 +152,7 @@ LinearReport LinearSolver::solve(const TpetraVector& rhs, TpetraVector& x, doubl
   }
 
   const auto attempt = [&] {
+    const auto lap = self.solve_watch.lap();
     const auto outcome = gmres(self.scaled, *self.factor, self.options, tolerance, self.b, x);
     report.iterations += outcome.iterations;
     report.reached = self.relative_residual(x);

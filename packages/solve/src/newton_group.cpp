@@ -34,32 +34,24 @@ NewtonGroup::NewtonGroup(Newton& newton, const TpetraVector& x)
       update_(x.getMap()),
       magnitude_(Teuchos::rcp(new TpetraVector(x.getMap()))) {
   x_.values->update(1.0, x, 0.0);
-  moved();
-}
-
-NewtonGroup::NewtonGroup(const NewtonGroup& source, NOX::CopyType type)
-    : NewtonGroup(source.newton_, source.x()) {
-  if (type == NOX::DeepCopy) *this = static_cast<const NOX::Abstract::Group&>(source);
 }
 
 void NewtonGroup::moved() {
-  stamp_ = newton_.new_stamp();
-  has_residual_ = false;
-  has_update_ = false;
+  norms_.clear();
+  has_residual_ = has_jacobian_ = false;
+}
+
+const std::vector<BlockNorm>& NewtonGroup::norms() const {
+  if (norms_.empty()) norms_ = newton_.norms(residual(), magnitude());
+  return norms_;
 }
 
 NOX::Abstract::Group& NewtonGroup::operator=(const NOX::Abstract::Group& other) {
   const auto& source = dynamic_cast<const NewtonGroup&>(other);
-  if (&source == this) return *this;
-  x_.values->update(1.0, source.x(), 0.0);
-  stamp_ = source.stamp_;
+  setX(source.getX());
+  residual_.values->update(1.0, source.residual(), 0.0);
+  magnitude_->update(1.0, source.magnitude(), 0.0);
   has_residual_ = source.has_residual_;
-  has_update_ = source.has_update_;
-  if (has_residual_) {
-    residual_.values->update(1.0, source.residual(), 0.0);
-    magnitude_->update(1.0, source.magnitude(), 0.0);
-  }
-  if (has_update_) update_.values->update(1.0, *source.update_.values, 0.0);
   return *this;
 }
 
@@ -81,27 +73,32 @@ NOX::Abstract::Group::ReturnType NewtonGroup::computeF() {
 }
 
 NOX::Abstract::Group::ReturnType NewtonGroup::computeJacobian() {
-  newton_.compute_jacobian(x(), stamp_);
+  if (has_jacobian_) return Ok;
+  newton_.compute_jacobian(x());
+  norms_.clear();  // what counts as round-off follows from the Jacobian
+  has_jacobian_ = true;
   return Ok;
 }
 
-NOX::Abstract::Group::ReturnType NewtonGroup::computeNewton(Teuchos::ParameterList&) {
-  if (has_update_) return Ok;
-  if (!isF() || !isJacobian()) return BadDependency;
-  newton_.solve_linear(residual(), *update_.values);
-  has_update_ = true;
+NOX::Abstract::Group::ReturnType NewtonGroup::computeNewton(Teuchos::ParameterList& linear) {
+  newton_.compute_update(residual(), *update_.values, linear.get<double>("Tolerance"));
   return Ok;
 }
 
-NOX::Abstract::Group::ReturnType NewtonGroup::applyJacobian(const NOX::Abstract::Vector& input,
-                                                            NOX::Abstract::Vector& result) const {
-  if (!isJacobian()) return BadDependency;
-  newton_.problem.system().matrix->apply(unwrap(input), unwrap(result));
+NOX::Abstract::Group::ReturnType NewtonGroup::applyRightPreconditioning(
+    bool, Teuchos::ParameterList&, const NOX::Abstract::Vector& input,
+    NOX::Abstract::Vector& result) const {
+  if (newton_.balanced(norms()))
+    result.init(0);
+  else
+    newton_.compute_update(unwrap(input), unwrap(result), newton_.options.lagged_tolerance);
   return Ok;
 }
 
 Teuchos::RCP<NOX::Abstract::Group> NewtonGroup::clone(NOX::CopyType type) const {
-  return Teuchos::rcp(new NewtonGroup(*this, type));
+  const auto copy = Teuchos::rcp(new NewtonGroup(newton_, x()));
+  if (type == NOX::DeepCopy) *copy = static_cast<const NOX::Abstract::Group&>(*this);
+  return copy;
 }
 
 }  // namespace hawser

@@ -9,12 +9,11 @@ namespace hawser {
 class NewtonGroup : public NOX::Abstract::Group {
  public:
   NewtonGroup(Newton& newton, const TpetraVector& x);
-  NewtonGroup(const NewtonGroup& source, NOX::CopyType type);
 
   const TpetraVector& x() const { return *x_.values; }
   const TpetraVector& residual() const { return *residual_.values; }
   const TpetraVector& magnitude() const { return *magnitude_; }
-  int stamp() const { return stamp_; }
+  const std::vector<BlockNorm>& norms() const;  ///< after computeF()
 
   NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override;
   void setX(const NOX::Abstract::Vector& x) override;
@@ -22,16 +21,17 @@ class NewtonGroup : public NOX::Abstract::Group {
                 double step) override;
   ReturnType computeF() override;
   ReturnType computeJacobian() override;
-  ReturnType computeNewton(Teuchos::ParameterList& unused) override;
-  ReturnType applyJacobian(const NOX::Abstract::Vector& input,
-                           NOX::Abstract::Vector& result) const override;
+  ReturnType computeNewton(Teuchos::ParameterList& linear) override;
+  /// Anderson's fixed-point update, -J^-1 input with the last Jacobian; 0 where all is in balance.
+  ReturnType applyRightPreconditioning(bool transposed, Teuchos::ParameterList& unused,
+                                       const NOX::Abstract::Vector& input,
+                                       NOX::Abstract::Vector& result) const override;
 
   bool isF() const override { return has_residual_; }
-  bool isJacobian() const override { return newton_.has_jacobian(stamp_); }
-  bool isNewton() const override { return has_update_; }
+  bool isJacobian() const override { return has_jacobian_; }
   const NOX::Abstract::Vector& getX() const override { return *x_.view; }
   const NOX::Abstract::Vector& getF() const override { return *residual_.view; }
-  double getNormF() const override { return residual_.view->norm(); }
+  double getNormF() const override { return newton_.linear.scaled_norm(residual()); }
   const NOX::Abstract::Vector& getGradient() const override {
     return *update_.view;
   }  // never asked
@@ -54,9 +54,9 @@ class NewtonGroup : public NOX::Abstract::Group {
   Newton& newton_;
   Vector x_, residual_, update_;
   Teuchos::RCP<TpetraVector> magnitude_;
-  int stamp_ = 0;
+  mutable std::vector<BlockNorm> norms_;  ///< empty: not known
   bool has_residual_ = false;
-  bool has_update_ = false;
+  bool has_jacobian_ = false;
 };
 
 }  // namespace hawser

@@ -1,31 +1,38 @@
 #include "hawser/solve/nonlinear_driver.hpp"
 
-#include <NOX_Solver_Factory.H>
-#include <NOX_Solver_Generic.H>
-#include <NOX_Utils.H>
-#include <Teuchos_oblackholestream.hpp>
+#include <NOX_LineSearch_UserDefinedFactoryT.H>
 #include <Tpetra_Vector.hpp>
 
+#include <algorithm>
+
 #include "backtrack.hpp"
-#include "block_test.hpp"
 #include "lagged.hpp"
-#include "newton_group.hpp"
+#include "nox_solve.hpp"
 
 namespace hawser {
 namespace {
 
-Teuchos::RCP<Teuchos::ParameterList> nox_parameters(Newton& newton) {
-  auto list = Teuchos::rcp(new Teuchos::ParameterList);
+Teuchos::RCP<Teuchos::ParameterList> newton_parameters(Newton& newton) {
+  auto list = quiet_parameters();
   list->set("Nonlinear Solver", "Line Search Based");
   list->sublist("Direction").set("Method", "Newton");
+  auto& direction = list->sublist("Direction").sublist("Newton");
+  const double tightest = newton.linear.options().tolerance;
+  direction.sublist("Linear Solver").set("Tolerance", tightest);
+  if (newton.options.forcing) {  // by the group's getNormF()
+    const double loosest = std::max(tightest, newton.options.forcing_max);
+    direction.set("Forcing Term Method", "Type 2");
+    direction.set("Forcing Term Alpha", 2.0);
+    direction.set("Forcing Term Initial Tolerance", loosest);
+    direction.set("Forcing Term Maximum Tolerance", loosest);
+    direction.set("Forcing Term Minimum Tolerance", tightest);
+  }
   auto& search = list->sublist("Line Search");
   search.set("Method", "User Defined");
+  search.set("Newton", &newton);
   search.set("User Defined Line Search Factory",
-             Teuchos::rcp<NOX::LineSearch::UserDefinedFactory>(new BacktrackFactory(newton)));
-  const auto nowhere = Teuchos::rcp<std::ostream>(new Teuchos::oblackholestream);
-  list->sublist("Printing").set("Output Information", static_cast<int>(NOX::Utils::Error));
-  list->sublist("Printing").set("Output Stream", nowhere);
-  list->sublist("Printing").set("Error Stream", nowhere);
+             Teuchos::rcp<NOX::LineSearch::UserDefinedFactory>(
+                 new NOX::LineSearch::UserDefinedFactoryT<Backtrack>));
   return list;
 }
 
@@ -43,27 +50,19 @@ NonlinearDriver::~NonlinearDriver() = default;
 
 NonlinearReport NonlinearDriver::solve(TpetraVector& x) {
   auto& newton = implementation_->newton;
-  newton.begin();
+  newton.report = {};
   TpetraVector start(x, Teuchos::Copy);
-  if (implementation_->lagged.solve(start)) {
-    x.update(1.0, start, 0.0);
-    return newton.report;
+  if (!implementation_->lagged.solve(start)) {
+    const auto group = Teuchos::rcp(new NewtonGroup(newton, start));
+    const int most = newton.options.max_iterations;
+    newton.shift = newton.options.pseudo_step > 0 ? 1 / newton.options.pseudo_step : 0;
+    if (!nox_solve(newton, group, newton_parameters(newton), most))
+      throw newton.failure("no convergence in " + std::to_string(most) + " iterations",
+                           group->residual(), group->magnitude());
+    start.update(1.0, group->x(), 0.0);
   }
-  newton.resume();
-  const auto group = Teuchos::rcp(new NewtonGroup(newton, start));
-  const auto test = Teuchos::rcp(new BlockTest(newton));
-  const auto solver = NOX::Solver::buildSolver(group, test, nox_parameters(newton));
-  if (solver->solve() != NOX::StatusTest::Converged) {
-    throw newton.failure(
-        "no convergence in " + std::to_string(newton.options.max_iterations) + " iterations",
-        group->residual(), group->magnitude());
-  }
-  x.update(1.0, group->x(), 0.0);
+  x.update(1.0, start, 0.0);
   return newton.report;
-}
-
-void NonlinearDriver::on_iteration(std::function<void(const IterationReport&)> callback) {
-  implementation_->newton.on_iteration = std::move(callback);
 }
 
 void NonlinearDriver::describe_row(std::function<std::string(GlobalIndex)> describe) {
@@ -75,6 +74,8 @@ void NonlinearDriver::forget() {
   implementation_->lagged.forget();
 }
 
-LinearSolver& NonlinearDriver::linear_solver() { return implementation_->newton.linear; }
+const LinearSolver& NonlinearDriver::linear_solver() const {
+  return implementation_->newton.linear;
+}
 
 }  // namespace hawser

@@ -40,6 +40,10 @@ Spec<NonlinearOptions> newton_spec() {
       .attribute("divergence", &P::divergence, "1", greater_than(1),
                  "Growth of the residual against the first one that ends the solve. Without line "
                  "search a stiff, slender cable passes through large ones.")
+      .attribute(
+          "pseudo-step", &P::pseudo_step, "1", at_least(0),
+          "First step of pseudo-transient continuation, for a steady state that Newton's method "
+          "does not reach: smaller is safer and slower; 0: none.")
       .attribute("lagged", &P::lagged,
                  "First iterate with the Jacobian of an earlier step, Anderson-accelerated.")
       .attribute("forcing", &P::forcing,

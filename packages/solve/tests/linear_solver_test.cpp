@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/stopwatch.hpp"
 #include "reaction_transport.hpp"
 
 namespace hawser {
@@ -47,6 +48,38 @@ class LinearSolverTest : public testing::Test {
   Teuchos::RCP<TpetraMatrix> matrix = problem.system().matrix;
   TpetraVector rhs, x;
 };
+
+// The matrix' rows are of different units, the shift is of the scaled rows' order, one.
+TEST_F(LinearSolverTest, AShiftDampsAllRowsAlike) {
+  LinearSolver solver(problem.system(), {});
+  solver.solve(rhs, x);
+  const double size = x.norm2();
+  solver.matrix_changed(1e6);
+  TpetraVector damped(x.getMap()), scaled(x.getMap());
+  solver.solve(rhs, damped);
+  EXPECT_LT(damped.norm2(), 1e-3 * size);
+  solver.scale(rhs, scaled);
+  scaled.update(-1e6, damped, 1.0);
+  EXPECT_LT(scaled.norm2(), 1e-4 * 1e6 * damped.norm2());
+}
+
+TEST_F(LinearSolverTest, WatchesTellFactorAndSolveApart) {
+  LinearOptions options;
+  options.keep_factor = true;
+  LinearSolver solver(problem.system(), options);
+  Stopwatch all;
+  {
+    const auto lap = all.lap();
+    solver.solve(rhs, x);
+  }
+  const double factor = solver.factor_seconds(), solve = solver.solve_seconds();
+  EXPECT_GT(factor, 0);
+  EXPECT_GT(solve, 0);
+  EXPECT_LE(factor + solve, all.seconds());
+  solver.solve(rhs, x);  // with the kept factor
+  EXPECT_EQ(solver.factor_seconds(), factor);
+  EXPECT_GT(solver.solve_seconds(), solve);
+}
 
 TEST_F(LinearSolverTest, GmresMeetsItsToleranceInBothUnits) {
   LinearSolver solver(problem.system(), {});

@@ -56,6 +56,7 @@ void CoupledProblem::set_state(const TpetraVector& x) {
 }
 
 void CoupledProblem::finish_step(const TpetraVector& x) {
+  const auto lap = residual_watch_.lap();
   set_state(x);
   integrator_.extrapolate(state_, end_);
   assembler_.residual(state_, total_, magnitude_);

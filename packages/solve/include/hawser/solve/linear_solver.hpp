@@ -46,8 +46,9 @@ class LinearSolver {
   LinearSolver(LinearSolver&&) noexcept;
   LinearSolver& operator=(LinearSolver&&) noexcept;
 
-  /// To be called after the matrix got new values.
-  void matrix_changed();
+  /// To be called after the matrix got new values. What is solved from now on is the row-scaled
+  /// matrix plus `shift` on its diagonal.
+  void matrix_changed(double shift = 0);
 
   /// The next solve makes a new factor, whatever the refresh rule says.
   void drop_factor();
@@ -63,6 +64,9 @@ class LinearSolver {
 
   const LinearOptions& options() const;
   int factorizations() const;  ///< made since construction
+
+  double factor_seconds() const;  ///< this rank's wall time in making factors
+  double solve_seconds() const;   ///< and in GMRES, the factors' application included
 
  private:
   struct Implementation;

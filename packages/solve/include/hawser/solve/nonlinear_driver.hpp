@@ -31,6 +31,10 @@ struct NonlinearOptions {
   bool forcing = false;
   double forcing_max = 1e-2;
 
+  /// Pseudo-transient continuation (Kelley and Keyes 1998): the row-scaled Jacobian plus 1/step on
+  /// its diagonal; the step begins with this value and grows as the residual falls. 0: none.
+  double pseudo_step = 0;
+
   /// First iterate on the residual alone, with the Jacobian and factor of an earlier solve,
   /// Anderson-accelerated; a new Jacobian is made, and Newton takes over from the best iterate,
   /// when that takes more than lagged_iterations or the residual grows lagged_growth-fold. When it
@@ -54,17 +58,6 @@ struct BlockNorm {
   double ratio = 0;      ///< residual / magnitude, 0 where the residual is below round-off
 };
 
-struct IterationReport {
-  int iteration = 0;  ///< 0: before the first update
-  double step = 0;    ///< part of the Newton update that was taken
-  int linear_iterations = 0;
-  double linear_reached = 0;
-  bool factored = false;
-  double ratio = 0;               ///< of the worst block
-  int worst = 0;                  ///< its index in `blocks`
-  std::vector<BlockNorm> blocks;  ///< as BlockSystem::blocks
-};
-
 struct NonlinearReport {
   bool converged = false;
   int iterations = 0;         ///< updates, lagged ones included
@@ -84,9 +77,6 @@ class NonlinearDriver {
   /// there is none to be had; x is then the guess again. The linear factor outlives the call.
   NonlinearReport solve(TpetraVector& x);
 
-  /// Called on every rank after each iteration, and once (iteration 0) before the first.
-  void on_iteration(std::function<void(const IterationReport&)> callback);
-
   /// Names a row in error messages, for example by its node's position; called on the owner only.
   void describe_row(std::function<std::string(GlobalIndex)> describe);
 
@@ -94,7 +84,7 @@ class NonlinearDriver {
   /// restarted from (a checkpoint), so that the restarted run repeats this one.
   void forget();
 
-  LinearSolver& linear_solver();
+  const LinearSolver& linear_solver() const;
 
  private:
   struct Implementation;
