@@ -71,6 +71,19 @@ class Tutorial(SystemTest):
         for name in "heat.cpp", "heat.xml":
             self.assertEqual(self.files[name], (ROOT / "tests/plugin" / name).read_text())
 
+    def test_a_report_of_your_own(self):
+        """doc/write_a_report.md names the file and the line that builds it."""
+        (line,) = (text for kind, text, _ in blocks((ROOT / "doc/write_a_report.md").read_text()) if kind == "cmake")
+        place = SCRATCH / "energy"
+        place.mkdir()
+        shutil.copy(ROOT / "tests/plugin/energy.cpp", place)
+        (place / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(energy CXX)\n"
+                                              "find_package(Hawser REQUIRED)\n" + line)
+        done = shell(f"cmake -B build -DCMAKE_PREFIX_PATH={PREFIX}\ncmake --build build\n{PREFIX}/bin/hawser describe energy "
+                     "--plugin energy --plugin-dir build/lib/hawser/plugins", place)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("<energy>  Reports the kinetic energy of a body.", done.stdout)
+
     def test_nothing_of_the_tests_is_installed(self):
         self.assertEqual([path.name for path in (PREFIX / "lib/hawser/plugins").iterdir()], ["heat.so"])
         libraries = shell(f"ldd {PREFIX}/bin/hawser").stdout

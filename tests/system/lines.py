@@ -100,6 +100,18 @@ class Lines(unittest.TestCase):
             for name in a:
                 np.testing.assert_allclose(a[name], b[name], rtol=1e-6, atol=1e-5, err_msg=f"{grid} {name}")
 
+    def test_a_restart_goes_on_with_every_report(self):
+        whole, parts = fresh("whole"), fresh("parts")
+        deck, options = SCRATCH / "three.xml", ["-q", "--set", "output/checkpoint-every=75", *EXACTLY]
+        completed(1, "run", deck, "-o", whole, *options)
+        completed(1, "run", deck, "-o", parts, *options, "--end", "750")
+        completed(1, "restart", parts / "checkpoint.h5", "-q")
+        for table in "history.csv", "cable.csv", "second_cable.csv":
+            self.assertEqual((parts / table).read_text(), (whole / table).read_text(), table)
+        one, two = (Results(folder).summary() for folder in (whole, parts))
+        for quantity in "end_error_change_last_quarter_m", "second_end_error_change_last_quarter_m", "steps":
+            self.assertEqual(one[quantity], two[quantity])
+
     def test_the_log_says_what_was_written(self):
         self.assertEqual(self.said.count("wrote fields"), len(self.results.steps("port")))
         self.assertEqual(self.said.count("exact straight cable"), 2)
