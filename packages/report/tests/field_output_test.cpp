@@ -14,7 +14,7 @@ namespace {
 class MiddleKernel : public LoadKernel {
  public:
   explicit MiddleKernel(const std::string& region)
-      : LoadKernel(region, 2, {velocity(Role::adds), displacement(Role::adds)}) {}
+      : LoadKernel(region, CellShape::line, {velocity(Role::adds), displacement(Role::adds)}) {}
   std::vector<Quantity> quantities() const override { return {{"middle", "m"}}; }
   void evaluate(const CellInput& cell, double* values) const override {
     values[0] = (cell.coordinates[0] + cell.coordinates[2]) / 2;

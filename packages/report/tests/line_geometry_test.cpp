@@ -43,7 +43,8 @@ TEST(LineGeometry, RefusesARingAndAStartInTheMiddle) {
   text.groups.push_back({"corner", 0, {{0}}});
   text.groups.push_back(line("cable", {3, 4, 5}));
   const Mesh mesh = read_text(Communicator(), text.in_format("4.1"));
-  const DofMap dofs(mesh, {{"velocity", "m/s", "N/m", 2, Basis::p1, false, {"water"}}});
+  const DofMap dofs(mesh,
+                    {{"velocity", "m/s", "N/m", 2, Basis::p1, Numbering::continuous, {"water"}}});
   EXPECT_THROW(LineGeometry(dofs, mesh.region("wall"), mesh.region("corner")), MeshError);
   EXPECT_THROW(LineGeometry(dofs, mesh.region("cable"), mesh.region("middle")), MeshError);
 }

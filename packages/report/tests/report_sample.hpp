@@ -15,9 +15,9 @@ namespace hawser {
 class ReportSample {
  public:
   ReportSample() {
-    modules.push_back(module_with("flow", load("water", 3, 1)));
-    modules.push_back(module_with("cable", load("cable", 2, 10)));
-    modules.push_back(module_with("cable", load("cable", 2, 100)));
+    modules.push_back(module_with("flow", load("water", CellShape::triangle, 1)));
+    modules.push_back(module_with("cable", load("cable", CellShape::line, 10)));
+    modules.push_back(module_with("cable", load("cable", CellShape::line, 100)));
     table = gather_fields(modules);
     dofs = std::make_unique<DofMap>(mesh, table.fields);
     assembler = std::make_unique<Assembler>(*dofs, modules);
@@ -69,9 +69,9 @@ class ReportSample {
     text.groups.push_back({"tail", 0, {{9}}});
     return read_text(Communicator(), text.in_format("4.1"));
   }
-  static std::unique_ptr<Kernel> load(const std::string& region, int nodes, double load) {
+  static std::unique_ptr<Kernel> load(const std::string& region, CellShape shape, double load) {
     return std::make_unique<LoadKernel>(
-        region, nodes, std::vector<FieldUse>{velocity(Role::adds), displacement(Role::adds)}, load);
+        region, shape, std::vector<FieldUse>{velocity(Role::adds), displacement(Role::adds)}, load);
   }
 };
 
