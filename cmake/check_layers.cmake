@@ -8,14 +8,14 @@ set(HAWSER_MODULE_SEES base deck element physics)
 
 # Headers that stay where they are: "pattern of the include | folders, or files, that may have it".
 set(HAWSER_CONFINED_HEADERS
-  "(Tpetra|Teuchos)[_.]|packages/algebra packages/assembly/src packages/solve/src packages/time/src packages/simulation/src/coupled_problem.cpp"
+  "(Tpetra|Teuchos)[_.]|packages/algebra packages/assembly/src packages/solve/src packages/time/src"
   "(NOX|Thyra|Belos|Ifpack2|MueLu|Stratimikos)[_.A-Z]|packages/solve/src"
   "Sacado|packages/physics packages/modules"
   "Intrepid2|packages/element/src"
   "[a-z]mumps|packages/solve/src"
   "metis|packages/mesh/src"
   "pugixml|packages/deck/src"
-  "nlohmann/|packages/output/src packages/log/src packages/simulation/src/json_log.cpp packages/study/src apps/hawser"
+  "nlohmann/|packages/output/src packages/log/src packages/study/src apps/hawser"
   "gmsh|apps/mesher"
   "(hdf5|H5[A-Z])[A-Za-z]*public|packages/output/src"
   "hdf5[.]h|packages/output/src")
