@@ -5,7 +5,7 @@
 
 #include "hawser/fields/look_up.hpp"
 #include "hawser/physics/field_use.hpp"
-#include "src/sources.hpp"
+#include "hawser/values/expression_source.hpp"
 
 namespace hawser {
 namespace {
@@ -52,8 +52,10 @@ Conditions::Conditions(const Assembler& assembler, const std::vector<RateRule>& 
 Conditions::Entry Conditions::resolve(const ConditionDeck& deck, const Tracks& tracks,
                                       Diagnostics& diagnostics) const {
   Entry entry;
-  entry.source = make_source(dofs_.mesh().communicator, deck, tracks, diagnostics);
-  const Location& place = source_location(deck);
+  entry.source = deck.make_source({dofs_.mesh().communicator, tracks, diagnostics});
+  if (!entry.source) entry.source = std::make_shared<ExpressionSource>(Expressions(2));
+  const Location place = deck.source_location();
+  const auto& formulas = deck.FormulaSource::given;
   entry.from = deck.from.value_or(entry.from);
   entry.until = deck.until.value_or(entry.until);
   entry.is_displacement = deck.field.value == field_name::displacement;
@@ -79,14 +81,14 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, const Tracks& t
                                  (all ? "the components " + component_names(components)
                                       : "component " + deck.component.value) +
                                  " of field '" + deck.field.value + "', " + std::to_string(given) +
-                                 " given" + (deck.value ? "; formulas are set apart by ';'" : ""));
-  if (deck.value)
-    check_units(*deck.value, dofs_.fields()[static_cast<std::size_t>(field)], diagnostics);
+                                 " given" + (formulas ? "; formulas are set apart by ';'" : ""));
+  if (formulas)
+    check_units(*formulas, dofs_.fields()[static_cast<std::size_t>(field)], diagnostics);
   if (entry.is_displacement && entry.source->depends_on_moved_position())
     diagnostics.error(place,
                       "a displacement cannot depend on x, y or z, the moved position that follows "
                       "from it" +
-                          std::string(deck.value ? "; use the reference coordinates X, Y, Z" : ""));
+                          std::string(formulas ? "; use the reference coordinates X, Y, Z" : ""));
   for (const std::string& name : deck.on.value) {
     const Region* const region = find_region(dofs_.mesh(), name, deck.on.location, diagnostics);
     if (region == nullptr) continue;

@@ -5,23 +5,21 @@ namespace {
 
 Spec<ConditionDeck> condition_spec(const std::string& tag, const std::string& meaning) {
   using P = ConditionDeck;
-  return Spec<P>(tag, meaning)
-      .attribute("name", &P::name, absent("it has none"),
-                 "By which another deck or --set can change it.")
-      .attribute("field", &P::field, required(), "Field by name, such as velocity.")
-      .attribute("on", &P::on, required(), "Regions, by name.")
-      .attribute("component", &P::component, one_of({"all", "x", "y", "z"}),
-                 "Which component the value is for.")
-      .attribute("value", &P::value, "SI", any() && absent("table or track says it"),
-                 "A number or expression per component, of x y z (moved), X Y Z (reference), t.")
-      .attribute(
-          "table", &P::table, absent("no table"),
-          "CSV file of columns t, x, y and a column per component; linear between its rows. A "
-          "relative path starts at the deck's folder.")
-      .attribute("track", &P::track, absent("no track"), "The displacement along this <track>.")
+  Spec<P> spec = Spec<P>(tag, meaning)
+                     .attribute("name", &P::name, absent("it has none"),
+                                "By which another deck or --set can change it.")
+                     .attribute("field", &P::field, required(), "Field by name, such as velocity.")
+                     .attribute("on", &P::on, required(), "Regions, by name.")
+                     .attribute("component", &P::component, one_of({"all", "x", "y", "z"}),
+                                "Which component the value is for.");
+  return P::declare_sources(std::move(spec))
       .check([tag](const P& p, const Location& where, Diagnostics& diagnostics) {
-        if (int(p.value.has_value()) + int(p.table.has_value()) + int(p.track.has_value()) != 1)
-          diagnostics.error(where, "<" + tag + "> needs exactly one of value, table and track");
+        auto names = P::source_attributes();
+        const std::string last = names.back();
+        names.pop_back();
+        if (p.sources_given() != 1)
+          diagnostics.error(where,
+                            "<" + tag + "> needs exactly one of " + listed(names) + " and " + last);
       });
 }
 

@@ -1,9 +1,10 @@
-#include "src/sources.hpp"
+#include "hawser/conditions/sources.hpp"
 
 #include <fstream>
 #include <sstream>
 
 #include "hawser/base/error.hpp"
+#include "hawser/conditions/conditions_deck.hpp"
 #include "hawser/values/expression_source.hpp"
 #include "hawser/values/table.hpp"
 
@@ -24,26 +25,43 @@ std::string read_on_root(const Communicator& communicator, const std::string& pa
 
 }  // namespace
 
-std::shared_ptr<const ValueSource> make_source(const Communicator& communicator,
-                                               const ConditionDeck& deck, const Tracks& tracks,
-                                               Diagnostics& diagnostics) {
-  if (deck.value) return std::make_shared<ExpressionSource>(deck.value->value);
-  if (deck.track) {
-    if (const auto track = find_track(tracks, *deck.track, diagnostics)) return track;
-  } else {
-    const std::string& path = deck.table->value;
-    try {
-      return std::make_shared<Table>(read_on_root(communicator, path), path);
-    } catch (const DeckError& error) {
-      diagnostics.error(deck.table->location, error.what());
-    }
-  }
-  return std::make_shared<ExpressionSource>(Expressions(2));
+Spec<ConditionDeck> FormulaSource::declare(Spec<ConditionDeck> spec) {
+  return std::move(spec).attribute(
+      attribute, &FormulaSource::given, "SI", any() && absent("table or track says it"),
+      "A number or expression per component, of x y z (moved), X Y Z (reference), t.");
 }
 
-const Location& source_location(const ConditionDeck& deck) {
-  if (deck.value) return deck.value->location;
-  return deck.table ? deck.table->location : deck.track->location;
+std::shared_ptr<const ValueSource> FormulaSource::make(const SourceContext&) const {
+  return std::make_shared<ExpressionSource>(given->value);
+}
+
+Spec<ConditionDeck> TableSource::declare(Spec<ConditionDeck> spec) {
+  return std::move(spec).attribute(
+      attribute, &TableSource::given, absent("no table"),
+      "CSV file of columns t, x, y and a column per component; linear between its rows. A "
+      "relative path starts at the deck's folder.");
+}
+
+void TableSource::complete(const Deck& text) {
+  if (given) given->value = path_beside(text, *given);
+}
+
+std::shared_ptr<const ValueSource> TableSource::make(const SourceContext& context) const {
+  try {
+    return std::make_shared<Table>(read_on_root(context.communicator, given->value), given->value);
+  } catch (const DeckError& error) {
+    context.diagnostics.error(given->location, error.what());
+  }
+  return nullptr;
+}
+
+Spec<ConditionDeck> TrackSource::declare(Spec<ConditionDeck> spec) {
+  return std::move(spec).attribute(attribute, &TrackSource::given, absent("no track"),
+                                   "The displacement along this <track>.");
+}
+
+std::shared_ptr<const ValueSource> TrackSource::make(const SourceContext& context) const {
+  return find_track(context.tracks, *given, context.diagnostics);
 }
 
 }  // namespace hawser

@@ -54,7 +54,7 @@ void complete(RunDeck& deck, const Deck& text, const CaseOptions& options) {
   time.order = time.scheme().order();
   for (auto* conditions : {&deck.conditions.initial, &deck.conditions.prescribe})
     for (ConditionDeck& condition : *conditions)
-      if (condition.table) condition.table->value = path_beside(text, *condition.table);
+      condition.complete_sources(text);
 }
 
 }  // namespace

@@ -67,6 +67,22 @@ TEST(Table, IsExactForProductsOfLinearFunctions) {
       }
 }
 
+// The derivatives are those of the pieces: at a knot of the later one, at the last knot of the
+// last.
+TEST(Table, DerivativesAtAKnotAreThoseOfTheLaterPiece) {
+  const Table table("t,x,v\n0,0,1\n10,0,2\n30,0,0\n0,4,1\n10,4,2\n30,4,0\n0,5,3\n10,5,4\n30,5,2\n",
+                    "current.csv");
+  double rate = 0, slope[3];
+  for (const auto& [t, expected] : {std::pair(9.99, 0.1), {10.0, -0.1}, {30.0, -0.1}}) {
+    table.time_derivative(at(t, 0), &rate);
+    EXPECT_DOUBLE_EQ(rate, expected) << t;
+  }
+  for (const auto& [x, expected] : {std::pair(3.99, 0.0), {4.0, 2.0}, {5.0, 2.0}}) {
+    table.gradient(at(0, x), 0, slope);
+    EXPECT_NEAR(slope[0], expected, 1e-14) << x;
+  }
+}
+
 TEST(Table, HasNoValueOutside) {
   const Table table("t,x,v\n0,0,1\n10,0,2\n0,5,3\n10,5,4\n", "current.csv");
   double value = 0;

@@ -4,19 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "hawser/conditions/sources.hpp"
 #include "hawser/deck/spec.hpp"
 
 namespace hawser {
 
 /// A value on a region: at the start, or prescribed within a window of time.
-struct ConditionDeck {
+struct ConditionDeck : Sources {
   std::string name;
   Located<std::string> field;
   Located<std::vector<std::string>> on;
   Located<std::string> component{"all", {}};
-  // Exactly one of these says where the values come from.
-  std::optional<Located<Expressions>> value;
-  std::optional<Located<std::string>> table, track;
   std::optional<double> from, until;  ///< s
   static Spec<ConditionDeck> initial_spec();
   static Spec<ConditionDeck> prescribe_spec();
