@@ -18,7 +18,7 @@ Expression::Expression(const std::string& formula, const Location& location) {
 std::string Expression::compile(const std::string& formula, const Location& location,
                                 const NamedValues* names, Expression& result) {
   auto compiled = std::make_shared<Formula>();
-  const std::string fault = parse_formula(formula, names, *compiled);
+  std::string fault = parse_formula(formula, names, *compiled);
   if (!fault.empty()) return fault;
   result = Expression();
   result.text_ = formula;
