@@ -48,7 +48,11 @@ class SampleCell {
     for (std::size_t f = 0; f < kernel_.fields().size(); ++f)
       for (int i = first_[f]; i < first_[f + 1]; ++i) {
         const RateRule rule = kernel_.fields()[f].rate_rule;
-        const bool structure = rule == RateRule::quotient && any() > 0;
+        const int followed = kernel_.rate_partner(f);
+        // Structures have both fields at their nodes.
+        const bool has_partner =
+            followed < 0 || i - first_[f] < first_[at(followed) + 1] - first_[at(followed)];
+        const bool structure = rule == RateRule::quotient && has_partner && any() > 0;
         amplitude_.push_back(amplitudes[f]);
         value_.push_back(amplitudes[f] * any());
         accepted_.push_back(amplitudes[f] * any());
@@ -66,7 +70,7 @@ class SampleCell {
       const int followed = kernel_.rate_partner(f);
       for (int i = first_[f]; i < first_[f + 1]; ++i) {
         rate_[at(i)] = slope_[at(i)] * current_[at(i)] + rest_[at(i)];
-        if (followed >= 0)
+        if (followed >= 0 && partner_[at(i)] != 0)
           rate_[at(i)] += partner_[at(i)] * current_[at(first_[at(followed)] + i - first_[f])];
       }
       const std::size_t n = at(first_[f]);

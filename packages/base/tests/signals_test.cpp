@@ -57,6 +57,7 @@ TEST(ScratchFolder, GoesWithWhatIsInIt) {
     all.any(false);  // every rank has looked before one removes it
     if (all.is_root()) std::ofstream(path + "/file") << "text";
     EXPECT_EQ(all.broadcast(path), path);  // one for all ranks
+    all.any(false);                        // the root must not be done before others have looked
   }
   all.any(false);
   EXPECT_FALSE(std::filesystem::exists(path));
