@@ -16,7 +16,7 @@ class Cavity(SystemTest):
         upright, level = np.abs(x[:, 0] - 0.5) < 1e-9, np.abs(x[:, 1] - 0.5) < 1e-9
         for name, value, reference in (("u_min", v[upright, 0].min(), -0.3885698), ("v_max", v[level, 1].max(), 0.3769447),
                                        ("v_min", v[level, 1].min(), -0.5270771)):
-            self.assertTrue(figures.record(BUILD, f"cavity.{name}", "Flows", f"lid-driven cavity, Re 1000: {name}", value,
+            self.assertTrue(figures.record(BUILD, f"system.cavity.{name}", "Flows", f"lid-driven cavity, Re 1000: {name}", value,
                                            reference, 0.005 * abs(reference), SOURCE, COMMAND, "m/s"), f"{name}: {value}")
         self.assertLessEqual(result.summary()["newton_iterations"], 25)
 
