@@ -58,15 +58,17 @@ struct Scheme {
   const char* attributes;
 };
 class MovingMesh : public testing::TestWithParam<Scheme> {};
-INSTANTIATE_TEST_SUITE_P(
-    Scheme, MovingMesh,
-    testing::Values(Scheme{"newmark_0.5", "Newmark gamma = 0.5", R"(beta="0.25" gamma="0.5")"},
-                    Scheme{"newmark_0.6", "Newmark gamma = 0.6", R"(beta="0.3025" gamma="0.6")"},
-                    Scheme{"alpha_0.5", "generalised-alpha rho_infinity = 0.5",
-                           R"(scheme="generalised-alpha" rho-infinity="0.5")"},
-                    Scheme{"alpha_1", "generalised-alpha rho_infinity = 1",
-                           R"(scheme="generalised-alpha" rho-infinity="1")"}),
-    [](const auto& which) { return "N" + std::to_string(which.index); });
+INSTANTIATE_TEST_SUITE_P(Scheme, MovingMesh,
+                         testing::Values(Scheme{"bdf2", "BDF2", R"(scheme="bdf2")"},
+                                         Scheme{"newmark_0.5", "Newmark gamma = 0.5",
+                                                R"(scheme="newmark" beta="0.25" gamma="0.5")"},
+                                         Scheme{"newmark_0.6", "Newmark gamma = 0.6",
+                                                R"(scheme="newmark" beta="0.3025" gamma="0.6")"},
+                                         Scheme{"alpha_0.5", "generalised-alpha rho_infinity = 0.5",
+                                                R"(scheme="generalised-alpha" rho-infinity="0.5")"},
+                                         Scheme{"alpha_1", "generalised-alpha rho_infinity = 1",
+                                                R"(scheme="generalised-alpha" rho-infinity="1")"}),
+                         [](const auto& which) { return "N" + std::to_string(which.index); });
 
 TEST_P(MovingMesh, PreservesUniformFlow) {
   DeckRun run(box_deck("0.8 -0.6", each_its_own_way, GetParam().attributes));

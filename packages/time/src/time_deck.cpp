@@ -39,10 +39,12 @@ Spec<TimeDeck> TimeDeck::spec() {
   return Spec<P>("time", "Time stepping.")
       .source("doc/numerics.md")
       .choice("scheme", &P::method,
-              {{"newmark", Method::newmark},
+              {{"bdf2", Method::bdf2},
+               {"newmark", Method::newmark},
                {"generalised-alpha", Method::generalised_alpha},
                {"steady", Method::steady}},
-              "Newmark's method, generalised-alpha, or solves without rates: one at `end`, or, "
+              "Backward differences of second order, which damp fast motions at once; Newmark's "
+              "method, generalised-alpha, or solves without rates: one at `end`, or, "
               "where `step` is shorter, one per step, in which loads may grow with t.")
       .attribute("beta", &P::beta, "1", between(0.25, 1) && absent("0.3025"), "Newmark's beta.")
       .attribute("gamma", &P::gamma, "1", between(0.5, 1) && absent("0.6"),

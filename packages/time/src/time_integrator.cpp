@@ -32,8 +32,7 @@ void TimeIntegrator::begin_step(double step, State& state) {
   const std::size_t rows = rule_.size();
   const bool steady = scheme_.steady();
   step_ = step;
-  present_ =
-      history_.step == 0 && scheme_.euler_start ? TimeScheme::first_step() : scheme_.coefficients();
+  present_ = scheme_.coefficients(step, history_.step);
   state.step = steady ? std::numeric_limits<double>::infinity() : step;
   state.time = history_.time + present_.alpha_f * step;
   state.accepted = history_.value;
@@ -41,6 +40,7 @@ void TimeIntegrator::begin_step(double step, State& state) {
   state.rate.assign(rows, 0);
   state.rate_slope.assign(rows, 0);
   state.rate_partner.assign(rows, 0);
+  known_rate_.assign(rows, 0);
   kinematics_.at_rest = steady;
   kinematics_.factor = steady ? 0 : step * present_.factor;
   kinematics_.known.clear();
@@ -51,18 +51,23 @@ void TimeIntegrator::begin_step(double step, State& state) {
         steady ? history_.value[d]
                : history_.value[d] + step * (present_.of_velocity * history_.value[v] +
                                              present_.of_displacement_rate * history_.rate[d] +
+                                             present_.of_quotient * history_.quotient[d] +
                                              step * present_.of_acceleration * history_.rate[v]));
     state.rate_partner[d] = 1;
     state.value[d] = kinematics_.known.back() + kinematics_.factor * history_.value[v];
   }
   if (steady) return;
   const double reach = present_.alpha_f * step;  // s, from t_n to the instant of the equations
-  const double beyond = (2 * present_.alpha_f - 1) * step / (step + history_.step);
+  const double beyond = (2 * present_.alpha_f - 1) * present_.memory;
+  const double backward = present_.backward ? present_.memory : 0;
+  const double share = present_.alpha_m / present_.gamma;
   for (std::size_t row = 0; row < rows; ++row) {
-    if (rule_[row] == RateRule::dynamic)
-      state.rate_slope[row] = present_.alpha_m / (present_.gamma * reach);
-    else if (rule_[row] == RateRule::quotient && !is_structure(row)) {
+    if (rule_[row] == RateRule::dynamic) {
+      state.rate_slope[row] = share * (1 + backward) / reach;
+      known_rate_[row] = (1 - share) * history_.rate[row] - backward * history_.quotient[row];
+    } else if (rule_[row] == RateRule::quotient && !is_structure(row)) {
       state.rate_slope[row] = (1 + beyond) / reach;
+      known_rate_[row] = -beyond * history_.quotient[row];
       state.value[row] += reach * history_.quotient[row];
     }
   }
@@ -70,18 +75,10 @@ void TimeIntegrator::begin_step(double step, State& state) {
 }
 
 void TimeIntegrator::update_rates(State& state) const {
-  const double kept = 1 - present_.alpha_m / present_.gamma;
-  const double beyond = (2 * present_.alpha_f - 1) * step_ / (step_ + history_.step);
   for (std::size_t row = 0; row < rule_.size(); ++row) {
     const double change = state.value[row] - history_.value[row];
-    if (is_structure(row))
-      state.rate[row] = state.value[static_cast<std::size_t>(partner_[row])];
-    else if (scheme_.steady() || rule_[row] == RateRule::none)
-      state.rate[row] = 0;
-    else if (rule_[row] == RateRule::dynamic)
-      state.rate[row] = state.rate_slope[row] * change + kept * history_.rate[row];
-    else
-      state.rate[row] = state.rate_slope[row] * change - beyond * history_.quotient[row];
+    state.rate[row] = is_structure(row) ? state.value[static_cast<std::size_t>(partner_[row])]
+                                        : state.rate_slope[row] * change + known_rate_[row];
   }
 }
 
@@ -101,7 +98,7 @@ double TimeIntegrator::end_rate(const State& state, std::size_t row) const {
   if (scheme_.steady() || rule_[row] == RateRule::none) return 0;
   if (rule_[row] == RateRule::quotient && !is_structure(row)) {
     const double quotient = (end_value(state, row) - history_.value[row]) / step_;
-    return quotient + step_ / (step_ + history_.step) * (quotient - history_.quotient[row]);
+    return quotient + present_.memory * (quotient - history_.quotient[row]);
   }
   if (present_.alpha_m == 1) return state.rate[row];
   return history_.rate[row] + (state.rate[row] - history_.rate[row]) / present_.alpha_m;
@@ -120,7 +117,7 @@ void TimeIntegrator::accept(const State& state) {
   State end;
   extrapolate(state, end);
   for (std::size_t row = 0; row < rule_.size(); ++row)
-    if (rule_[row] == RateRule::quotient)
+    if (rule_[row] != RateRule::none)
       history_.quotient[row] =
           scheme_.steady() ? 0 : (end.value[row] - history_.value[row]) / step_;
   history_.time = end.time;
@@ -134,11 +131,8 @@ void TimeIntegrator::accept(const State& state) {
 std::optional<double> TimeIntegrator::local_error(const State& state) const {
   if (history_.earlier_step == 0 || scheme_.steady()) return std::nullopt;
   // u_{n+1} against u_n + dt (u'_n + (r/2 + alpha_m - alpha_f) (u'_n - u'_{n-1})), r = dt/dt_n: a
-  // rate of generalised-alpha is that of the time (alpha_m - alpha_f) dt_n before. With a
-  // first-order scheme all of the difference is its error; with a second-order one the share that
-  // the trapezoidal rule's error constant has.
+  // rate of generalised-alpha is that of the time (alpha_m - alpha_f) dt_n before.
   const double ratio = step_ / history_.step;
-  const double share = scheme_.order() == 1 ? 1 : 1 / (3 * (1 + 1 / ratio));
   const double reach = 0.5 * ratio + present_.alpha_m - present_.alpha_f;
   const DofMap& dofs = assembler_.dofs();
   struct Sums {
@@ -170,7 +164,7 @@ std::optional<double> TimeIntegrator::local_error(const State& state) const {
       if (field.count[part] > 0 && scale > 0)
         worst = std::max(worst, std::sqrt(field.error[part] / field.count[part] / scale));
   }
-  return share * worst;
+  return scheme_.error_share(ratio) * worst;
 }
 
 }  // namespace hawser

@@ -1,12 +1,30 @@
 #include "hawser/time/time_scheme.hpp"
 
 namespace hawser {
+namespace {
+
+/// d' = q + s (q - q_n) = v, solved for d.
+void set_backward(StepCoefficients& result, double memory) {
+  result.backward = true;
+  result.memory = memory;
+  result.of_velocity = 0;
+  result.of_quotient = memory / (1 + memory);
+  result.factor = 1 / (1 + memory);
+}
+
+}  // namespace
 
 int TimeScheme::order() const { return method == Method::newmark && gamma != 0.5 ? 1 : 2; }
 
-StepCoefficients TimeScheme::coefficients() const {
+StepCoefficients TimeScheme::coefficients(double step, double earlier) const {
+  const bool euler = earlier == 0 && euler_start;
   StepCoefficients result;
-  if (method == Method::generalised_alpha) {
+  result.memory = step / (step + earlier);
+  if (method == Method::bdf2) {
+    set_backward(result, euler ? 0 : result.memory);
+  } else if (euler) {
+    return result;
+  } else if (method == Method::generalised_alpha) {
     // Jansen, Whiting & Hulbert, Comput. Methods Appl. Mech. Engrg. 190 (2000) 305-319, for
     // first-order systems. The structure is one too, with d' = v as its second equation (Kadapa,
     // Dettmer & Peric, Comput. Struct. 193 (2017) 226-238): one alpha_m suits all the shared rows.
@@ -25,6 +43,16 @@ StepCoefficients TimeScheme::coefficients() const {
     result.factor = b;
   }
   return result;
+}
+
+// With r = dt/dt_n the explicit step errs by (2 + 3/r)/12 dt^3 u''', the trapezoidal rule by -1/12
+// and BDF2 by -(1 + r)^2/(6 r (1 + 2 r)) of it. A first-order scheme's error is all of the
+// difference.
+double TimeScheme::error_share(double ratio) const {
+  if (order() == 1) return 1;
+  if (method != Method::bdf2) return 1 / (3 * (1 + 1 / ratio));
+  const double own = 2 * (1 + ratio) * (1 + ratio);
+  return own / (own + (3 + 2 * ratio) * (1 + 2 * ratio));
 }
 
 }  // namespace hawser

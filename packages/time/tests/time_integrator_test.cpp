@@ -102,6 +102,58 @@ TEST(Newmark, ReproducesConstantAcceleration) {
   }
 }
 
+TimeScheme bdf2() {
+  TimeScheme scheme;
+  scheme.method = TimeScheme::Method::bdf2;
+  scheme.euler_start = false;
+  return scheme;
+}
+
+TEST(Bdf2, ReproducesConstantAcceleration) {
+  Motion motion(
+      bdf2(), [](double t) { return 3 * t; }, [](double t) { return 1.5 * t * t; });
+  motion.start(3, 0);
+  for (const double length : lengths) {
+    motion.step(length);
+    EXPECT_LE(motion.error_of_velocity_rate(3), 1e-12);
+    EXPECT_LE(motion.error_of_mesh_velocity(3 * motion.time()), 1e-12);
+    EXPECT_LE(motion.error_of_kinematics(), 1e-14);
+    EXPECT_EQ(motion.error_of_structure_velocity(), 0);
+  }
+}
+
+// Velocities that the conditions give, with a kink: what Newmark's method remembers of it for ever
+// at gamma = 1/2, the accelerations of backward differences have forgotten after two steps.
+TEST(Bdf2, ForgetsAKinkAfterTwoSteps) {
+  const auto accelerations = [](const TimeScheme& scheme) {
+    Motion motion(
+        scheme, [](double t) { return t < 0.18 ? t : 0.18; }, [](double) { return 0.0; });
+    motion.start(1, 0);
+    for (int n = 0; n < 3; ++n)
+      motion.step(0.1);
+    double largest = 0;
+    for (int n = 0; n < 1000; ++n) {
+      motion.step(0.1);
+      largest = std::max(largest, motion.error_of_velocity_rate(0));
+    }
+    return largest;
+  };
+  EXPECT_EQ(accelerations(bdf2()), 0);
+  EXPECT_GT(accelerations(newmark(0.25, 0.5)), 0.4);
+}
+
+TEST(Bdf2, StartsWithImplicitEuler) {
+  TimeScheme scheme = bdf2();
+  scheme.euler_start = true;
+  Motion motion(
+      scheme, [](double t) { return t * t; }, [](double t) { return t * t * t; });
+  motion.start(7, 7);  // not looked at
+  motion.step(0.1);
+  EXPECT_NEAR(motion.error_of_velocity_rate(0.1), 0, 1e-15);
+  EXPECT_NEAR(motion.error_of_mesh_velocity(0.01), 0, 1e-15);
+  EXPECT_NEAR(motion.error_of_kinematics(), 0, 1e-15);
+}
+
 TEST(Newmark, IsOfSecondOrderWithGammaOneHalfAndOfFirstAbove) {
   const auto error_with = [](double gamma, double length) {
     Motion motion(

@@ -17,6 +17,12 @@ TimeScheme generalised_alpha(double rho_infinity) {
   return scheme;
 }
 
+TimeScheme bdf2() {
+  TimeScheme scheme;
+  scheme.method = TimeScheme::Method::bdf2;
+  return scheme;
+}
+
 /// The cable's nodes as oscillators v' + omega^2 d = 0, d' = v, from d = 1, v = 0, with an initial
 /// acceleration that is wrong; the water's nodes obey v' + omega v = 0 from v = 1.
 class Oscillators : private SampleIntegrator {
@@ -69,6 +75,13 @@ class Oscillators : private SampleIntegrator {
     for (long n = 0; n < steps; ++n)
       step(length);
   }
+  /// Steps that double and halve: 4 `length` long together.
+  void run_uneven(double length, double end) {
+    const long rounds = std::lround(end / length / 4);
+    for (long n = 0; n < rounds; ++n)
+      for (const double share : {0.5, 1.0, 2.0, 0.5})
+        step(share * length);
+  }
 
   double displacement() const { return integrator.history().value[displacement_]; }
   double velocity() const { return integrator.history().value[velocity_]; }
@@ -83,11 +96,12 @@ class Oscillators : private SampleIntegrator {
 };
 
 /// Of displacement, velocity and the decaying value at t = 2 from the errors with two steps.
-std::array<double, 3> orders(const TimeScheme& scheme) {
+std::array<double, 3> orders(const TimeScheme& scheme, bool uneven = false) {
   std::array<double, 3> errors[2];
   for (int fine = 0; fine < 2; ++fine) {
     Oscillators oscillators(scheme, 2);
-    oscillators.run(fine == 1 ? 0.005 : 0.01, 2);
+    const double length = fine == 1 ? 0.005 : 0.01;
+    uneven ? oscillators.run_uneven(length, 2) : oscillators.run(length, 2);
     errors[fine] = {std::abs(oscillators.displacement() - std::cos(4.0)),
                     std::abs(oscillators.velocity() + 2 * std::sin(4.0)),
                     std::abs(oscillators.decaying() - std::exp(-4.0))};
@@ -108,6 +122,45 @@ TEST(Order, IsThatOfTheScheme) {
       EXPECT_NEAR(order, 2, 0.1) << "rho_infinity " << rho;
   for (const double order : orders(damped))
     EXPECT_NEAR(order, 1, 0.1);
+  for (const bool uneven : {false, true})
+    for (const double order : orders(bdf2(), uneven))
+      EXPECT_NEAR(order, 2, 0.1) << (uneven ? "uneven steps" : "even steps");
+}
+
+// L-stable: of motions that a step does not resolve nothing is left, also where steps grow.
+TEST(Bdf2, LeavesNothingOfTheFastestMotions) {
+  Oscillators oscillators(bdf2(), 1e7);
+  oscillators.step(1);
+  oscillators.step(1);
+  oscillators.step(2);
+  EXPECT_LE(std::abs(oscillators.displacement()), 1e-13);
+  EXPECT_LE(std::abs(oscillators.decaying()), 1e-13);
+}
+
+// Zero-stable up to a growth of 1 + sqrt(2) per step (Grigorieff, Numer. Math. 42 (1983) 359-377);
+// the step control allows 2.
+TEST(Bdf2, IsStableWhileStepsDouble) {
+  for (const double omega : {0.0, 1.0, 1e3}) {
+    Oscillators oscillators(bdf2(), omega);
+    for (double length = 1e-9; length < 1e3; length *= 2) {
+      oscillators.step(length);
+      EXPECT_LE(std::abs(oscillators.displacement()), 1 + 1e-3) << "omega " << omega;
+      EXPECT_LE(std::abs(oscillators.decaying()), 1 + 1e-12) << "omega " << omega;
+    }
+    EXPECT_LE(std::abs(oscillators.decaying()), omega > 0 ? 1e-6 : 1) << "omega " << omega;
+  }
+}
+
+// The error constants, on a cubic polynomial's exact past.
+TEST(Bdf2, ItsErrorIsTheShareOfTheDifferenceToAnExplicitStep) {
+  for (const double ratio : {0.5, 1.0, 2.0}) {
+    const double earlier = 1 / ratio;  // of a step of 1 from t = 0 to 1; u = t^3
+    const StepCoefficients present = bdf2().coefficients(1, earlier);
+    const double s = present.memory, quotient = earlier * earlier;
+    const double value = (3 + s * quotient) / (1 + s);
+    const double explicit_value = 0.5 * ratio * (0 - 3 * earlier * earlier);
+    EXPECT_NEAR(value - 1, bdf2().error_share(ratio) * (value - explicit_value), 1e-14);
+  }
 }
 
 // What rho_infinity means, for structures and fluid with the one alpha_m.
@@ -126,7 +179,7 @@ TEST(GeneralisedAlpha, LeavesRhoInfinityOfTheFastestMotions) {
 // Within a factor of two of the true error of a step, for fluid-like and structure-like motion.
 TEST(LocalError, IsEstimated) {
   for (const TimeScheme& scheme :
-       {newmark(0.25, 0.5), generalised_alpha(0.5), newmark(0.3025, 0.6)}) {
+       {newmark(0.25, 0.5), generalised_alpha(0.5), newmark(0.3025, 0.6), bdf2()}) {
     Oscillators oscillators(scheme, 2);
     EXPECT_FALSE(oscillators.local_error());
     oscillators.run(0.01, 0.5);

@@ -12,6 +12,8 @@
 //                    s = dt/(dt + dt_n): second order at the instant with a memory of one step, so
 //                    that a kink in d is forgotten after two. On a structure's nodes w is the
 //                    velocity itself: no flow through the cable.
+//   BDF2             alpha_m = alpha_f = 1, and all rates are that difference, u' = q + s (q - q_n);
+//                    structures: d' = v. L-stable: what is fast is gone after a few steps.
 // The first step is one of implicit Euler unless the deck's initial rates are to be trusted: the
 // accelerations after it are those of the equations, and the values stay of second order.
 #include <optional>
@@ -31,7 +33,7 @@ struct TimeHistory {
   double earlier_step = 0;    ///< s, of the step before; 0 when there was none
   std::vector<double> value;  ///< per local row
   std::vector<double> rate;
-  std::vector<double> quotient;  ///< (d_n - d_{n-1})/dt_n of moving geometry; at the start its rate
+  std::vector<double> quotient;      ///< (u_n - u_{n-1})/dt_n; at the start the rate
   std::vector<double> earlier_rate;  ///< of the step before, for the estimate of the local error
 };
 
@@ -77,7 +79,8 @@ class TimeIntegrator {
   std::vector<char> is_partner_;     // per local row: 1 for a velocity that a structure follows
   TimeHistory history_;
   Kinematics kinematics_;
-  StepCoefficients present_;  // of the step being made
+  std::vector<double> known_rate_;  // per local row: what the past adds to the rate of this step
+  StepCoefficients present_;        // of the step being made
   double step_ = 0;
 };
 
