@@ -15,9 +15,16 @@ PER_METRE = ("<p><b>What the forces are.</b> In two dimensions the cable is a cu
 FORMULAS = ("<p>Plate friction: F = C ρ W² L / 2 with C = 2 (1.328 Re<sup>-1/2</sup> + 2.668 Re<sup>-7/8</sup>), Re = W L / ν. Drag law: "
             "T = ρ C<sub>t</sub> π D W² L / 2 of a neutrally buoyant streamer, ρ = 1025 kg/m³, C<sub>t</sub> = 0.01, D = 6 cm.</p>\n")
 
+# What is charged for a value that was changed once, on one mesh: 1.25 times the error that the difference stands for. A halved step of
+# a scheme of first order leaves half of the error, a box of four times the size a quarter (blockage goes with one over the width).
+CHARGES = {"step": 1.25 * 2, "box": 1.25 * 4 / 3}
+
 LIMITS = ("<p>The limit at cell size 0 is extrapolated with the order that the three meshes show; where they show none in common, it is the finest "
           "value. The uncertainty is by the rules of Eça and Hoekstra (Lisbon 2006): 1.25 times what is extrapolated; an order above 2 is not believed, "
           "and 1.25 times the range of the three values is charged; three times the range where no order shows.</p>\n")
+
+EFFECTS = ("<p>Step and box: the same tow on the coarsest mesh with half the step, and in a box of four times the size, against the run on that mesh. Charged "
+           "are 2.5 times the one difference and 5/3 times the other, and added to the uncertainty of the mesh: they are biases, and may go one way.</p>\n")
 
 
 def limit_cells(limit, bar):
@@ -34,14 +41,34 @@ def scale(case):
 
 def family(case, coarser):
     """The runs of one tow on meshes of one family, coarse to fine; (mesh scales, forces)."""
-    same = [c for c in (coarser.finished if coarser else [])
-            if (c.value("current"), c.value("tow_angle")) == (case.value("current"), case.value("tow_angle"))]
-    runs = sorted([*same, case], key=scale, reverse=True)
+    runs = sorted([*same_tow(case, coarser), case], key=scale, reverse=True)
     return [scale(c) for c in runs], [c.quantity(FORCE) for c in runs]
 
 
-def towed(tows, coarser, figures):
-    """Forces of the towed cables; with runs on two coarser meshes also their limits."""
+def same_tow(case, sweep):
+    return [c for c in (sweep.finished if sweep else [])
+            if (c.value("current"), c.value("tow_angle")) == (case.value("current"), case.value("tow_angle"))]
+
+
+def effects(case, coarser, changed):
+    """Relative change of the force per sweep of `changed`, each against the run on the same mesh; None where a run is missing."""
+    found = {}
+    for name, sweep in changed.items():
+        pairs = [(c, base) for c in same_tow(case, sweep) for base in [*same_tow(case, coarser), case] if scale(base) == scale(c)]
+        found[name] = pairs[0][0].quantity(FORCE) / pairs[0][1].quantity(FORCE) - 1 if pairs else None
+    return found
+
+
+def with_effects(limit, found):
+    """The limit with what step and box are charged."""
+    more = sum(CHARGES[name] * abs(change) for name, change in found.items() if change is not None)
+    return limit._replace(uncertainty=limit.uncertainty + more * abs(limit.value))
+
+
+def towed(tows, study, figures):
+    """Forces of the towed cables; with runs on two coarser meshes also their limits, with runs at another step and in another box what these do."""
+    coarser = study.sweep("coarser")
+    changed = {name: study.sweep(name) for name in CHARGES if study.sweep(name)} if coarser else {}
     rows, families = [], {}
     for u in tows.currents:
         for a in tows.angles:
@@ -52,24 +79,28 @@ def towed(tows, coarser, figures):
             if coarser:
                 scales, forces = family(case, coarser)
                 row += cell(" / ".join(f"{force:.0f}" for force in forces))
+                found = effects(case, coarser, changed)
                 if len(forces) == 3:
-                    limit = dt.grid_limit(scales, forces)
+                    limit = with_effects(dt.grid_limit(scales, forces), found)
                     families[u, a] = scales, np.array(forces) / plate, limit, plate
                     row += limit_cells(limit, dt.force_bar(u))
                     best = limit.value
                 else:
                     row += cell("a run is missing") + 3 * cell("–")
                     best = case.quantity(FORCE)
+                for change in found.values():
+                    row += cell("–" if change is None else f"{100 * change:+.2f} %")
             else:
                 best = case.quantity(FORCE)
                 row += cell(best, "{:.0f}")
             rows.append("<tr>" + row + cell(plate, "{:.0f}") + cell(best / plate, "{:.3f}") + cell(dt.drag_law_tension(w), "{:.0f}") + "</tr>")
     if families:
         draw_towed(tows, families, figures)
-    found = ["force on three meshes (N per m of depth)", "order", "limit (N per m)", "uncertainty", "within 3 %, 5 % at 2 m/s"]
+    found = ["force on three meshes (N per m of depth)", "order", "limit (N per m)", "uncertainty", "within 3 %, 5 % at 2 m/s",
+             *(f"{name}: change" for name in changed)]
     head = ["U (m/s)", "θ (degrees)", "W (m/s)", *(found if coarser else ["tow force (N per m of depth)"]),
             "plate friction (N per m)", "ratio", "drag law, one streamer (N)"]
-    return "<h2>Forces</h2>\n" + PER_METRE + table(head, rows) + (LIMITS if families else "") + FORMULAS
+    return "<h2>Forces</h2>\n" + PER_METRE + table(head, rows) + (LIMITS if families else "") + (EFFECTS if changed else "") + FORMULAS
 
 
 def draw_towed(tows, families, figures):

@@ -124,7 +124,7 @@ def deep_tow_sections(study, figures):
             u, *dt.straight_line_fit(tows.angles, tows.row(u, "total_error_m"))) for u in tows.currents)
         body += f"<p>Lines through the total error over θ in degrees: {fits}.</p>\n"
         body += "<h2>The tow speed</h2>\n" + inference(study, tows)
-        body += deep_tow_forces.towed(tows, study.sweep("coarser"), figures)
+        body += deep_tow_forces.towed(tows, study, figures)
         if tows.get(0.5, 30):
             draw.cable_shape(tows.get(0.5, 30), figures)
         draw.total_error(tows, figures)
