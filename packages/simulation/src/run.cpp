@@ -16,6 +16,14 @@ class Teller : public Observer {
  public:
   explicit Teller(RunLog& log) : log_(log) {}
 
+  void starting(Stepper& /*stepper*/, const StartSolve& solve) override {
+    log_.solved(solve.newton);
+    log_.note("start: " + solve.what +
+              (solve.why.empty()
+                   ? ", found in " + write_value(solve.newton.iterations) + " iterations"
+                   : ": " + solve.why));
+  }
+
   void attempted(Stepper& stepper, const Attempt& attempt) override {
     if (!attempt.newton.history.empty()) log_.solved(attempt.newton);
     if (!attempt.accepted) return log_.rejected(attempt.time, attempt.length, attempt.why);
@@ -51,11 +59,12 @@ class Run {
     stepper_ = std::make_unique<Stepper>(case_, mesh.file);
     for (const std::string& sentence : stepper_->system().mesh.notes)
       log_->note(sentence);
-    record_ = std::make_unique<RunRecord>(*stepper_, folder_, *log_);
-    stepper_->observe(teller_);
-    stepper_->observe(*record_);
     folder_.write("resolved.xml", case_.resolved_deck());
     log_->start(heading());
+    stepper_->observe(teller_);
+    stepper_->start();
+    record_ = std::make_unique<RunRecord>(*stepper_, folder_, *log_);
+    stepper_->observe(*record_);
   }
 
   Summary to_the_end() {

@@ -36,6 +36,7 @@ Spec<RunDeck> RunDeck::spec() {
       .children(&P::fields)
       .children(&P::tracks)
       .child(&P::conditions)
+      .child(&P::start)
       .child(&P::time, required())
       .child(&P::solver)
       .child(&P::output)

@@ -10,6 +10,7 @@
 #include "hawser/simulation/run_deck.hpp"
 #include "hawser/time/state_checkpoint.hpp"
 #include "hawser/time/step_control.hpp"
+#include "src/equilibrium.hpp"
 #include "src/system.hpp"
 
 namespace hawser {
@@ -41,6 +42,31 @@ void Stepper::build(const std::string& mesh_file) {
                    static_cast<int>(header.numbers.at("control_successes")));
   system_->reports->resume(header);
   number_ = header.step;
+  start_iterations_ = static_cast<long long>(header.numbers.at("start_newton_iterations"));
+  started_ = true;
+}
+
+void Stepper::start() {
+  if (started_) return;
+  if (case_.deck().start.equilibrium) find_equilibrium();
+  started_ = true;
+}
+
+void Stepper::find_equilibrium() {
+  const auto lap = newton_watch_.lap();
+  const RunDeck& deck = case_.deck();
+  const EquilibriumDeck& wanted = *deck.start.equilibrium;
+  EquilibriumOptions options{deck.solver.linear, deck.solver.newton,
+                             wanted.relaxation_step.value_or(deck.time.step)};
+  options.newton.tolerance = wanted.tolerance.value_or(options.newton.tolerance);
+  options.newton.max_iterations = wanted.max_iterations;
+  CoupledProblem& problem = *system_->problem;
+  problem.state() = hawser::find_equilibrium(*system_, options, [&](const StartSolve& solve) {
+    start_iterations_ += solve.newton.iterations;
+    for (Observer* const observer : observers_)
+      observer->starting(*this, solve);
+  });
+  problem.start();
 }
 
 bool Stepper::finished() const { return control_->finished(time()); }
@@ -76,6 +102,7 @@ Attempt Stepper::told(Attempt attempt) {
 }
 
 Attempt Stepper::advance(double longest) {
+  start();
   Attempt attempt;
   attempt.length = std::min(longest, control_->next(time(), system_->integrator->history().step));
   try {
@@ -103,6 +130,7 @@ Summary Stepper::summary() const {
   Summary result;
   result.set("title", case_.deck().title);
   if (last_) system_->reports->summarise(*last_, result);
+  if (case_.deck().start.equilibrium) result.set("start_newton_iterations", start_iterations_);
   return result;
 }
 
@@ -166,6 +194,7 @@ void Stepper::save(const std::string& checkpoint) {
   header.step = number_;
   header.numbers["control_step_s"] = control_->step();
   header.numbers["control_successes"] = control_->successes();
+  header.numbers["start_newton_iterations"] = static_cast<double>(start_iterations_);
   system_->reports->save(header);
   header.texts["deck"] = case_.text().text;
   header.texts["deck_file"] = case_.text().file;

@@ -1,6 +1,7 @@
 #include "src/system.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "hawser/assembly/check_domains.hpp"
@@ -12,19 +13,21 @@ namespace {
 
 /// At rest the row of a structure's displacement holds the velocity alone: an incomplete factor
 /// meets a zero on the diagonal there.
-void check_steady(const System& system, const RunDeck& deck) {
-  if (!deck.time.steady() || deck.solver.linear.method != LinearOptions::Method::gmres) return;
-  system.problem->begin_step(deck.time.end);
+void check_steady(const System& system, const LinearOptions& linear, double time,
+                  const Location& where) {
+  if (linear.method != LinearOptions::Method::gmres) return;
+  State state = system.problem->state();
+  state.time = time;
+  state.step = std::numeric_limits<double>::infinity();
   std::vector<char> prescribed(static_cast<std::size_t>(system.dofs->owned()), 0);
-  for (const PrescribedRow& row :
-       system.conditions->prescribed(system.problem->state(), system.problem->end()))
+  for (const PrescribedRow& row : system.conditions->prescribed(state, state))
     prescribed[static_cast<std::size_t>(row.row)] = 1;
   bool free = false;
   for (const auto& pair : system.assembler->kinematic_pairs())
     if (pair.displacement < system.dofs->owned())
       free = free || prescribed[static_cast<std::size_t>(pair.displacement)] == 0;
   if (system.mesh.communicator.any(free))
-    throw DeckError(deck.time.location.text() +
+    throw DeckError(where.text() +
                     ": a steady solve that finds the place of a structure needs a complete factor: "
                     "<solver><linear method=\"mumps\"/></solver>");
 }
@@ -58,7 +61,10 @@ std::unique_ptr<System> build_system(const Case& run_case, const std::string& me
                                                      *system->conditions);
   system->conditions->set_initial(system->problem->state());
   system->problem->start();
-  check_steady(*system, deck);
+  if (deck.time.steady())
+    check_steady(*system, deck.solver.linear, deck.time.end, deck.time.location);
+  else if (deck.start.equilibrium)
+    check_steady(*system, deck.solver.linear, system->problem->state().time, deck.start.location);
   system->driver =
       std::make_unique<NonlinearDriver>(*system->problem, deck.solver.linear, deck.solver.newton);
   system->driver->describe_row(

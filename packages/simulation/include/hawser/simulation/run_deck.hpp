@@ -10,6 +10,7 @@
 #include "hawser/mesh/mesh_deck.hpp"
 #include "hawser/report/output_deck.hpp"
 #include "hawser/report/verification_deck.hpp"
+#include "hawser/simulation/start_deck.hpp"
 #include "hawser/solve/solver_deck.hpp"
 #include "hawser/time/time_deck.hpp"
 #include "hawser/values/track.hpp"
@@ -41,6 +42,7 @@ struct RunDeck {
   std::vector<FieldDeck> fields;
   std::vector<TrackDeck> tracks;
   ConditionsDeck conditions;
+  StartDeck start;
   TimeDeck time;
   SolverDeck solver;
   OutputDeck output;

@@ -30,10 +30,19 @@ struct Attempt {
   NonlinearReport newton{};             ///< empty where there is no solution
 };
 
+/// A solve on the way to the state at which a run begins.
+struct StartSolve {
+  std::string what{};        ///< "steady state"
+  std::string why{};         ///< it found nothing; empty when it did
+  NonlinearReport newton{};  ///< empty where there is no solution
+};
+
 /// What looks on while a stepper steps, such as results on disk or a log.
 class Observer {
  public:
   virtual ~Observer() = default;
+  /// After every solve of start(), on all ranks together.
+  virtual void starting(Stepper& /*stepper*/, const StartSolve& /*solve*/) {}
   /// After every attempt, on all ranks together; an accepted one has been measured by the reports.
   virtual void attempted(Stepper& stepper, const Attempt& attempt) = 0;
 };
@@ -62,6 +71,9 @@ class Stepper {
   Stepper& operator=(const Stepper&) = delete;
 
   const Case& run_case() const { return case_; }
+  /// Finds the state at which the run begins, where the deck's <start> asks for more than initial
+  /// values; advance() does it first when nobody did. SolveError when there is none.
+  void start();
   bool finished() const;
   double time() const;  ///< s, of the last accepted state
   int steps() const;    ///< accepted, those before a restart included
@@ -96,6 +108,7 @@ class Stepper {
   void build(const std::string& mesh_file);
   NonlinearReport solve(double length);
   void accept(const Attempt& attempt);
+  void find_equilibrium();
   Attempt told(Attempt attempt);
 
   Case case_;
@@ -105,6 +118,8 @@ class Stepper {
   std::unique_ptr<StepControl> control_;
   std::unique_ptr<Step> last_;
   int number_ = 0;
+  bool started_ = false;
+  long long start_iterations_ = 0;  // of Newton's method, on the way to the start
   std::vector<Observer*> observers_;
   Stopwatch newton_watch_;
 };
