@@ -171,6 +171,7 @@ class CheckpointReader::File {
   }
 
   bool has(const std::string& name) const { return file_.has(array_path(name)); }
+  std::vector<std::string> names() const { return file_.names("arrays"); }
 
   Hdf5File::Shape shape(const std::string& name) const {
     if (!has(name)) throw OutputError(path_ + " has no array '" + name + "'");
@@ -208,6 +209,8 @@ CheckpointReader::CheckpointReader(const Communicator& communicator, const std::
 CheckpointReader::~CheckpointReader() = default;
 
 bool CheckpointReader::has(const std::string& name) const { return file_->has(name); }
+
+std::vector<std::string> CheckpointReader::names() const { return file_->names(); }
 
 GlobalIndex CheckpointReader::global_count(const std::string& name) const {
   return file_->shape(name).rows;

@@ -11,6 +11,8 @@ Spec<OutputDeck> OutputDeck::spec() {
                  "Steps between rows of the histories.")
       .attribute("checkpoint-every", &P::checkpoint_every, at_least(0),
                  "Steps between checkpoints; 0 for none.")
+      .attribute("checkpoint-at-end", &P::checkpoint_at_end,
+                 "One more at the end, for another run to start from.")
       .any_children(&P::reports, "reports");
 }
 

@@ -59,6 +59,8 @@ class Run {
     stepper_ = std::make_unique<Stepper>(case_, mesh.file);
     for (const std::string& sentence : stepper_->system().mesh.notes)
       log_->note(sentence);
+    for (const std::string& sentence : stepper_->system().notes)
+      log_->note(sentence);
     folder_.write("resolved.xml", case_.resolved_deck());
     log_->start(heading());
     stepper_->observe(teller_);

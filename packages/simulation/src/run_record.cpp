@@ -41,7 +41,8 @@ void RunRecord::attempted(Stepper& stepper, const Attempt& attempt) {
     log_.wrote("fields", step.number, step.end.time);
   }
   stepper.system().reports->write(step, due(output.history_every) || step.last, fields_due);
-  if (due(output.checkpoint_every)) save_checkpoint(stepper);
+  if (due(output.checkpoint_every) || (step.last && output.checkpoint_at_end))
+    save_checkpoint(stepper);
 }
 
 std::string RunRecord::save_checkpoint(Stepper& stepper) {

@@ -23,8 +23,17 @@ Spec<StartDeck> StartDeck::spec() {
   using P = StartDeck;
   return Spec<P>("start", "Where a run begins; without it, at the initial values.")
       .source("doc/decks.md, \"How a run starts\"")
+      .attribute("from", &P::from, absent("from the initial values"),
+                 "Checkpoint of another run on the same mesh, whose fields are the start; the deck "
+                 "may differ. A relative path starts at the deck's folder.")
+      .choice("time", &P::continues_time, {{"zero", false}, {"continued", true}},
+              "The time at which the run begins: 0, or that of the checkpoint in `from`.")
       .child(&P::equilibrium)
-      .location(&P::location);
+      .location(&P::location)
+      .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
+        if (p.continues_time && !p.from)
+          diagnostics.error(where, "time=\"continued\" goes on from a checkpoint: give it in from");
+      });
 }
 
 }  // namespace hawser

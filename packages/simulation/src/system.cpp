@@ -7,6 +7,7 @@
 #include "hawser/assembly/check_domains.hpp"
 #include "hawser/fields/look_up.hpp"
 #include "hawser/simulation/run_deck.hpp"
+#include "src/take_over.hpp"
 
 namespace hawser {
 namespace {
@@ -60,6 +61,7 @@ std::unique_ptr<System> build_system(const Case& run_case, const std::string& me
   system->problem = std::make_unique<CoupledProblem>(*system->assembler, *system->integrator,
                                                      *system->conditions);
   system->conditions->set_initial(system->problem->state());
+  if (!run_case.checkpoint() && deck.start.from) take_over(run_case, *system);
   system->problem->start();
   if (deck.time.steady())
     check_steady(*system, deck.solver.linear, deck.time.end, deck.time.location);

@@ -26,6 +26,7 @@ struct System {
   std::unique_ptr<CoupledProblem> problem;
   std::unique_ptr<NonlinearDriver> driver;
   std::unique_ptr<Reports> reports;
+  std::vector<std::string> notes;  ///< worth a user's look
 };
 
 /// Collective. MeshError, or DeckError with every name that the mesh or

@@ -36,6 +36,10 @@ struct Solves : Observer {
   void attempted(Stepper& /*stepper*/, const Attempt& /*attempt*/) override {}
 };
 
+std::string without(std::string text, const std::string& part) {
+  return text.erase(text.find(part), part.size());
+}
+
 class StartTest : public testing::Test {
  protected:
   Case hung(const std::vector<DeckChange>& changes = {}) {
@@ -125,6 +129,57 @@ TEST_F(StartTest, IsFoundOnceAndNotAgainByARestart) {
   EXPECT_EQ(second.field("displacement").values, stepper.field("displacement").values);
   EXPECT_EQ(second.summary().number("start_newton_iterations"),
             stepper.summary().number("start_newton_iterations"));
+}
+
+/// A stepper of a deck that starts from "other.h5".
+const DeckChange from_other{"start/from", "other.h5"};
+
+TEST_F(StartTest, BeginsAtAnotherRunsEndUnderAChangedDeck) {
+  Stepper other(hung({{"release", "0"}}));
+  for (int i = 0; i < 4; ++i)
+    other.advance();
+  other.save("other.h5");
+  const std::string text = without(hung_deck, "<start><equilibrium tolerance=\"1e-11\"/></start>");
+  const auto changed = [&](std::vector<DeckChange> changes) {
+    changes.push_back(from_other);
+    changes.push_back({"time/scheme", "bdf2"});
+    changes.push_back({"time/step", "0.005"});
+    changes.push_back({"conditions/prescribe[2]/until", "0"});
+    return Case::from_text(environment_, text, "hung.xml", {changes, {}, true});
+  };
+  Stepper zero(changed({})), continued(changed({{"start/time", "continued"}}));
+  EXPECT_EQ(zero.time(), 0);
+  EXPECT_EQ(continued.time(), other.time());
+  for (const char* field : {"displacement", "velocity"}) {
+    EXPECT_EQ(zero.field(field).values, other.field(field).values);
+    EXPECT_EQ(continued.field(field).values, other.field(field).values);
+  }
+  // It falls on where the other one falls: half the step, another scheme, nearly the same way.
+  zero.advance();
+  zero.advance();
+  other.advance();
+  EXPECT_LT(apart(zero.field("displacement"), other.field("displacement")), 2e-3);
+  EXPECT_GT(apart(zero.field("displacement"), continued.field("displacement")), 5e-3);
+}
+
+TEST_F(StartTest, BeginsAtAnotherRunsEndOnTheSameMeshOnly) {
+  Stepper other(hung({{"release", "0"}}));
+  other.advance();
+  other.save("other.h5");
+  const auto fault = [&](const DeckChange& change) -> std::string {
+    try {
+      Stepper stepper(hung({from_other, change}));
+    } catch (const DeckError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(fault({"title", "Hung"}), "none");
+  EXPECT_THAT(fault({"mesh/line/segments", "22"}),
+              testing::HasSubstr("of 21 vertices; here are 23"));
+  EXPECT_THAT(fault({"length", "2.1"}), testing::HasSubstr("up to 0.078"));
+  EXPECT_THAT(fault({"start/from", "none.h5"}), testing::HasSubstr("none.h5"));
+  EXPECT_THAT(fault({"time/end", "0.01"}), testing::Eq("none"));
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ class CheckpointReader {
 
   const CheckpointHeader& header() const { return header_; }
   bool has(const std::string& name) const;
+  std::vector<std::string> names() const;  ///< of all arrays
   GlobalIndex global_count(const std::string& name) const;
 
   /// The values of any ids, in their order: [id][component]. Several ranks may ask for the same id.

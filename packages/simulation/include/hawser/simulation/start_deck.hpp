@@ -1,6 +1,7 @@
 #pragma once
 // What a deck says of <start>: where a run begins.
 #include <optional>
+#include <string>
 
 #include "hawser/deck/spec.hpp"
 
@@ -15,6 +16,8 @@ struct EquilibriumDeck {
 };
 
 struct StartDeck {
+  std::optional<Located<std::string>> from;  ///< another run's checkpoint
+  bool continues_time = false;
   std::optional<EquilibriumDeck> equilibrium;
   Location location;
   static Spec<StartDeck> spec();

@@ -14,4 +14,15 @@ void save_history(const DofMap& dofs, const TimeHistory& history, CheckpointHead
 /// OutputError when the checkpoint belongs to another mesh or other modules.
 TimeHistory load_history(const DofMap& dofs, const CheckpointReader& reader);
 
+/// What another run's checkpoint has of this one's fields.
+struct TakenFields {
+  std::vector<std::string> taken;
+  std::vector<std::string> absent;  ///< there; `state` keeps what it has of them
+  std::vector<std::string> unused;  ///< here
+};
+/// Values and rates by the names of fields, the deck, its modules and its ranks being others.
+/// OutputError when the checkpoint belongs to another mesh, or has a field in another basis.
+/// Collective.
+TakenFields take_fields(const DofMap& dofs, const CheckpointReader& reader, State& state);
+
 }  // namespace hawser
