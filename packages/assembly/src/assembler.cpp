@@ -39,7 +39,7 @@ struct Assembler::Implementation {
     for (KernelCells& cells : kernels)
       find_positions(sparsity, cells);
     make_matrix();
-    system.blocks = name_blocks(map, governance, modules);
+    system.blocks = name_blocks(map, governance, kernels);
   }
 
   void make_maps() {
@@ -117,27 +117,58 @@ const std::vector<Assembler::KinematicPair>& Assembler::kinematic_pairs() const 
   return implementation_->pairs;
 }
 
+void Assembler::residual(const State& state, std::vector<double>& total, int module) const {
+  add_up(state, module, total, nullptr);
+}
+
 void Assembler::residual(const State& state, std::vector<double>& total,
-                         std::vector<double>& magnitude, int module) const {
+                         std::vector<double>& magnitude) const {
+  add_up(state, all_modules, total, &magnitude);
+}
+
+void Assembler::add_up(const State& state, int module, std::vector<double>& total,
+                       std::vector<double>* magnitude) const {
   const DofMap& dofs = *implementation_->dofs;
-  total.assign(static_cast<std::size_t>(dofs.owned()), 0);
-  magnitude.assign(static_cast<std::size_t>(dofs.owned()), 0);
+  const auto owned = static_cast<std::size_t>(dofs.owned());
+  total.assign(owned, 0);
+  std::vector<double> levels;  // per row: what levels and facets contribute
+  if (magnitude != nullptr) {
+    magnitude->assign(owned, 0);
+    levels.assign(owned, 0);
+  }
   CellFailure failure;
   for (const KernelCells& cells : implementation_->kernels) {
     if (module != all_modules && cells.module != module) continue;
     const std::vector<char>& counts = module == all_modules ? cells.writes : cells.adds;
-    std::vector<double> local(static_cast<std::size_t>(cells.unknowns()));
-    each_cell(cells, dofs.mesh(), state, [&](LocalIndex cell, const CellInput& input) {
-      failure.note([&] { return cells.kernel->residual(input, local.data()); }, cells, cell);
-      const std::size_t begin = static_cast<std::size_t>(cell) * local.size();
-      for (std::size_t i = 0; i < local.size(); ++i) {
+    const bool on_facets = cells.kernel->domain().kind == Domain::Kind::facets;
+    const auto n = static_cast<std::size_t>(cells.unknowns());
+    std::vector<double> local(n), scale(n);
+    CellGatherer gatherer(cells, dofs.mesh(), state);
+    for (LocalIndex cell = 0; cell < cells.region->size(); ++cell) {
+      failure.note([&] { return cells.kernel->residual(gatherer.gather(cell), local.data()); },
+                   cells, cell);
+      const std::size_t begin = static_cast<std::size_t>(cell) * n;
+      for (std::size_t i = 0; i < n; ++i)
+        if (counts[begin + i] != 0)
+          total[static_cast<std::size_t>(cells.rows[begin + i])] += local[i];
+      if (magnitude == nullptr) continue;
+      if (on_facets)
+        std::fill(scale.begin(), scale.end(), 0);
+      else if (cells.has_level())
+        failure.note([&] { return cells.kernel->residual(gatherer.off_level(), scale.data()); },
+                     cells, cell);
+      else
+        scale = local;
+      for (std::size_t i = 0; i < n; ++i) {
         if (counts[begin + i] == 0) continue;
         const auto row = static_cast<std::size_t>(cells.rows[begin + i]);
-        total[row] += local[i];
-        magnitude[row] += std::abs(local[i]);
+        (*magnitude)[row] += std::abs(scale[i]);
+        levels[row] += local[i] - scale[i];
       }
-    });
+    }
   }
+  for (std::size_t row = 0; row < levels.size(); ++row)
+    (*magnitude)[row] += std::abs(levels[row]);
   failure.throw_together(dofs.mesh(), state);
 }
 

@@ -83,6 +83,8 @@ class Gathering {
       entry = &entries_.back();
     }
     FieldDescription& field = entry->description;
+    field.has_level = field.has_level || use.has_level;
+    field.places_nodes = field.places_nodes || use.places_nodes;
     entry->kinematic = entry->kinematic || use.role == Role::kinematic;
     if (std::find(field.domains.begin(), field.domains.end(), kernel.domain()) ==
         field.domains.end())

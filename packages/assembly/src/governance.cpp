@@ -1,5 +1,7 @@
 #include "hawser/assembly/governance.hpp"
 
+#include <algorithm>
+
 #include "hawser/base/error.hpp"
 
 namespace hawser {
@@ -23,13 +25,6 @@ void visit_rows(const DofMap& dofs, const PhysicsModule& module, Visit&& visit) 
       }
     }
   }
-}
-
-bool drives_a_structure(const PhysicsModule& module) {
-  for (const auto& kernel : module.kernels)
-    for (const FieldUse& use : kernel->fields())
-      if (use.role == Role::kinematic) return true;
-  return false;
 }
 
 /// Calls visit(module index, use, row) for every owned row that a module writes or drives.
@@ -66,27 +61,27 @@ void claim_rows(const DofMap& dofs, const std::vector<PhysicsModule>& modules, G
   });
 }
 
-// A node of a structure belongs to the structure's block with all that moves with it.
+// Where modules of two blocks add, small and large contributions meet: a block of its own.
 void assign_blocks(const DofMap& dofs, const std::vector<PhysicsModule>& modules,
                    Governance& result) {
-  const auto on_structure = [&](std::size_t row) {
-    const RowInfo& info = dofs.info(static_cast<LocalIndex>(row));
-    for (int field = 0; field < static_cast<int>(dofs.fields().size()); ++field) {
-      const LocalIndex first = dofs.first_row(field, info.kind, info.point);
-      if (first >= 0 && result.governor[static_cast<std::size_t>(first)] == Governance::kinematic)
-        return true;
-    }
-    return false;
+  const auto block = [&](const std::string& name) {
+    const auto found = std::find(result.blocks.begin(), result.blocks.end(), name);
+    const auto index = static_cast<int>(found - result.blocks.begin());
+    if (found == result.blocks.end()) result.blocks.push_back(name);
+    return index;
   };
-  std::vector<char> drives;
+  std::vector<int> block_of_module;
   for (const PhysicsModule& module : modules)
-    drives.push_back(drives_a_structure(module) ? 1 : 0);
-  visit_all(dofs, modules, [&](int module, const FieldUse& /*use*/, std::size_t row) {
-    int& block = result.block_of_row[row];
-    if (result.governor[row] >= 0)
-      block = result.governor[row];
-    else if (block < 0 || (drives[static_cast<std::size_t>(module)] != 0 && on_structure(row)))
-      block = module;
+    block_of_module.push_back(block(module.block));
+  const int interface = block("interface");
+  visit_all(dofs, modules, [&](int module, const FieldUse& use, std::size_t row) {
+    const int governor = result.governor[row];
+    const bool takes_part = governor == Governance::kinematic ? use.role == Role::kinematic
+                                                              : governor < 0 || governor == module;
+    if (!takes_part) return;
+    const int mine = block_of_module[static_cast<std::size_t>(module)];
+    int& chosen = result.block_of_row[row];
+    chosen = chosen < 0 || chosen == mine ? mine : interface;
   });
 }
 
@@ -94,7 +89,7 @@ void assign_blocks(const DofMap& dofs, const std::vector<PhysicsModule>& modules
 
 Governance find_governors(const DofMap& dofs, const std::vector<PhysicsModule>& modules) {
   const auto owned = static_cast<std::size_t>(dofs.owned());
-  Governance result{std::vector<int>(owned, Governance::shared), std::vector<int>(owned, -1)};
+  Governance result{std::vector<int>(owned, Governance::shared), {}, std::vector<int>(owned, -1)};
   claim_rows(dofs, modules, result);
   assign_blocks(dofs, modules, result);
   return result;

@@ -41,8 +41,12 @@ KernelCells resolve(const DofMap& dofs, const Governance& governance, const Phys
   if (std::find(shapes.begin(), shapes.end(), region.shape) == shapes.end())
     throw PluginError(who + " is written for " + traits(shapes.front()).plural +
                       ", and that region is one of " + traits(region.shape).plural);
-  for (const FieldUse& use : kernel.fields())
+  for (const FieldUse& use : kernel.fields()) {
     cells.fields.push_back(dofs.find(use.name));
+    const int field = cells.fields.back();
+    if (field >= 0 && dofs.fields()[static_cast<std::size_t>(field)].has_level)
+      cells.levels.push_back(static_cast<int>(cells.fields.size()) - 1);
+  }
   bind_shapes(dofs, region, cells, kernel);
   int unknowns = 0;
   for (std::size_t f = 0; f < cells.fields.size(); ++f) {
@@ -125,6 +129,24 @@ const CellInput& CellGatherer::gather(LocalIndex cell) {
         cells_.region->vertices[static_cast<std::size_t>(cell) * per_cell + v]);
     for (std::size_t j = 0; j < dimension; ++j)
       coordinates_[v * dimension + j] = mesh_.coordinates[vertex * dimension + j];
+  }
+  return input_;
+}
+
+const CellInput& CellGatherer::off_level() {
+  for (const int field : cells_.levels) {
+    const auto f = static_cast<std::size_t>(field);
+    const auto components = static_cast<std::size_t>(cells_.kernel->fields()[f].components);
+    const auto first = static_cast<std::size_t>(cells_.first[f]);
+    const auto last = static_cast<std::size_t>(cells_.first[f + 1]);
+    for (std::size_t c = 0; c < components; ++c) {
+      double mean = 0;
+      for (std::size_t i = first + c; i < last; i += components)
+        mean += value_[i];
+      mean *= static_cast<double>(components) / static_cast<double>(last - first);
+      for (std::size_t i = first + c; i < last; i += components)
+        value_[i] -= mean;
+    }
   }
   return input_;
 }

@@ -20,7 +20,10 @@ struct KernelCells {
   std::vector<char> adds;  ///< [cell][unknown]: 1 when owned and the kernel adds to or governs it
   std::vector<int> positions;  ///< [cell][unknown][unknown]: place in the matrix; -1 when dropped
 
+  std::vector<int> levels;  ///< the fields among them that have a level
+
   int unknowns() const { return first.back(); }
+  bool has_level() const { return !levels.empty(); }
 };
 
 /// PluginError when the kernel is written for other cells than its region has, DeckError when it
@@ -33,6 +36,8 @@ class CellGatherer {
  public:
   CellGatherer(const KernelCells& cells, const Mesh& mesh, const State& state);
   const CellInput& gather(LocalIndex cell);
+  /// The cell gathered last, its fields that have a level without their means there.
+  const CellInput& off_level();
 
  private:
   const KernelCells& cells_;

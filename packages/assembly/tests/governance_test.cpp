@@ -95,9 +95,9 @@ TEST(Assembler, AddsModulesUpAndTellsThemApart) {
        {&state.value, &state.rate, &state.accepted, &state.rate_slope, &state.rate_partner})
     array->assign(static_cast<std::size_t>(dofs.rows()), 0);
   std::vector<double> total, magnitude, of_flow, of_mesh, of_cable;
-  assembler.residual(state, of_flow, magnitude, 0);
-  assembler.residual(state, of_mesh, magnitude, 1);
-  assembler.residual(state, of_cable, magnitude, 2);
+  assembler.residual(state, of_flow, 0);
+  assembler.residual(state, of_mesh, 1);
+  assembler.residual(state, of_cable, 2);
   assembler.residual(state, total, magnitude);
 
   const int moving = dofs.find("displacement");

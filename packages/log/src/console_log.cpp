@@ -8,11 +8,14 @@
 namespace hawser {
 namespace {
 
-std::string text(const std::vector<BlockNorm>& norms) {
-  std::string result;
-  for (const BlockNorm& norm : norms)
-    result += fmt::format(" {}.{} {:.0e} {}", norm.block, norm.field, norm.residual, norm.unit);
-  return result;
+std::string text(const Criterion& decides) {
+  return fmt::format("{}.{} {} {:.1e} of {:.0e}", decides.block, decides.field, decides.test,
+                     decides.value, decides.tolerance);
+}
+
+std::string text(const BlockNorm& norm) {
+  return fmt::format("    {:24} residual {:.1e} {:6} ratio {:.1e}", norm.block + "." + norm.field,
+                     norm.residual, norm.unit, norm.ratio);
 }
 
 }  // namespace
@@ -31,11 +34,14 @@ void ConsoleLog::start(const RunHeading& heading) {
 }
 
 void ConsoleLog::solved(const NonlinearReport& report) {
-  if (!tells() || report.history.empty()) return;
-  norms_ = text(report.history.back());
+  if (!tells() || report.criteria.empty()) return;
+  decides_ = text(report.criteria.back());
   if (detail_ != LogDetail::iterations) return;
-  for (std::size_t i = 0; i < report.history.size(); ++i)
-    terminal_.line(fmt::format("  iteration {:2d}{}", i, text(report.history[i])));
+  for (std::size_t i = 0; i < report.history.size(); ++i) {
+    terminal_.line(fmt::format("  iteration {:2d}  decides {}", i, text(report.criteria[i])));
+    for (const BlockNorm& norm : report.history[i])
+      terminal_.line(text(norm));
+  }
   terminal_.line(
       fmt::format("  {} Jacobian(s), {} factor(s)", report.jacobians, report.factorizations));
 }
@@ -53,9 +59,9 @@ void ConsoleLog::stepped(const Step& step, const MeshFigures& mesh, double end) 
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const double left = wall * (end - time) / (time - first_time_);
   terminal_.line(fmt::format(
-      "step {:4d}  t {:7g} s  dt {:g} s  Newton {} linear {:3d}  residual{}  quality {:.2f}  "
+      "step {:4d}  t {:7g} s  dt {:g} s  Newton {} linear {:3d}  decides {}  quality {:.2f}  "
       "Courant {:.2f}  wall {:.1f} s  left {:.0f} s",
-      step.number, time, step.length, step.newton_iterations, step.linear_iterations, norms_,
+      step.number, time, step.length, step.newton_iterations, step.linear_iterations, decides_,
       mesh.least_quality, mesh.courant, wall, left));
   terminal_.bar(std::min(1.0, time / end),
                 fmt::format("t {:g} of {:g} s, {:.0f} s left", time, end, left));

@@ -29,7 +29,7 @@ class ConsoleLog : public RunLog {
   LogDetail detail_;
   Terminal terminal_;
   std::string folder_;
-  std::string norms_;
+  std::string decides_;
   std::chrono::steady_clock::time_point start_;
   double first_time_ = -1;
 };

@@ -40,13 +40,22 @@ void JsonLog::rejected(double time, double length, const std::string& why) {
 }
 
 void JsonLog::stepped(const Step& step, const MeshFigures& mesh, double end) {
-  Json residuals = Json::array();
+  Json residuals = Json::array(), decides;
+  if (!newton_.criteria.empty()) {
+    const Criterion& criterion = newton_.criteria.back();
+    decides = {{"block", criterion.block},
+               {"field", criterion.field},
+               {"test", criterion.test},
+               {"value", criterion.value},
+               {"tolerance", criterion.tolerance}};
+  }
   if (!newton_.history.empty())
     for (const BlockNorm& norm : newton_.history.back())
       residuals.push_back({{"block", norm.block},
                            {"field", norm.field},
                            {"residual", norm.residual},
-                           {"unit", norm.unit}});
+                           {"unit", norm.unit},
+                           {"ratio", norm.ratio}});
   tell({{"event", "step"},
         {"step", step.number},
         {"time_s", step.end.time},
@@ -56,6 +65,7 @@ void JsonLog::stepped(const Step& step, const MeshFigures& mesh, double end) {
         {"linear_iterations", step.linear_iterations},
         {"jacobians", newton_.jacobians},
         {"factorizations", newton_.factorizations},
+        {"decides", decides},
         {"residuals", residuals},
         {"mesh_quality_min", mesh.least_quality},
         {"courant_max", mesh.courant}});

@@ -20,6 +20,8 @@ NonlinearReport solved() {
   report.factorizations = 1;
   report.history = {{{"fluid", "velocity", "N/m", 3.2, 10, 0.32}},
                     {{"fluid", "velocity", "N/m", 4e-9, 10, 4e-10}}};
+  report.criteria = {{"fluid", "velocity", "residual", 0.32, 1e-8},
+                     {"fluid", "velocity", "residual", 4e-10, 1e-8}};
   return report;
 }
 
@@ -52,8 +54,9 @@ TEST(ConsoleLog, TellsARunInSentences) {
   EXPECT_THAT(text, HasSubstr("made 418 nodes\nA tow\n"
                               "418 nodes, 2099 unknowns, 2 rank(s); modules: ale-fluid, cable\n"));
   EXPECT_THAT(text, HasSubstr("step of 20 s from t = 10 s rejected: no convergence\n"));
-  EXPECT_THAT(text, HasSubstr("step    3  t      20 s  dt 10 s  Newton 2 linear  17  residual "
-                              "fluid.velocity 4e-09 N/m  quality 0.73  Courant 0.25  wall "));
+  EXPECT_THAT(text, HasSubstr("step    3  t      20 s  dt 10 s  Newton 2 linear  17  decides "
+                              "fluid.velocity residual 4.0e-10 of 1e-08  quality 0.73  Courant "
+                              "0.25  wall "));
   EXPECT_THAT(text, Not(HasSubstr("iteration  0")));
   EXPECT_THAT(text, HasSubstr("end error 154.5 m\n"
                               "tow.xml:7:3: expected end_error_m = 154 +- 1 (as measured); got "
@@ -73,8 +76,10 @@ TEST(ConsoleLog, QuietTellsWhatWentWrongOnly) {
 
 TEST(ConsoleLog, VerboseTellsIterationsAndOutputs) {
   const std::string text = told(LogDetail::iterations, false);
-  EXPECT_THAT(text, HasSubstr("  iteration  0 fluid.velocity 3e+00 N/m\n"
-                              "  iteration  1 fluid.velocity 4e-09 N/m\n"
+  EXPECT_THAT(text, HasSubstr("  iteration  0  decides fluid.velocity residual 3.2e-01 of 1e-08\n"
+                              "    fluid.velocity           residual 3.2e+00 N/m    ratio 3.2e-01\n"
+                              "  iteration  1  decides fluid.velocity residual 4.0e-10 of 1e-08\n"
+                              "    fluid.velocity           residual 4.0e-09 N/m    ratio 4.0e-10\n"
                               "  2 Jacobian(s), 1 factor(s)\n"));
   EXPECT_THAT(text, HasSubstr("  wrote fields of step 3, t = 20 s\n"));
 }
@@ -87,8 +92,10 @@ TEST(JsonLog, TellsOneObjectPerLine) {
   EXPECT_THAT(text, HasSubstr(R"({"event":"rejected","time_s":10.0,"step_s":20.0,)"
                               R"("reason":"no convergence"})"));
   EXPECT_THAT(text, HasSubstr(R"("newton_iterations":2,"linear_iterations":17,"jacobians":2,)"
-                              R"("factorizations":1,"residuals":[{"block":"fluid",)"
-                              R"("field":"velocity","residual":4e-09,"unit":"N/m"}])"));
+                              R"("factorizations":1,"decides":{"block":"fluid","field":"velocity",)"
+                              R"("test":"residual","value":4e-10,"tolerance":1e-08},)"
+                              R"("residuals":[{"block":"fluid","field":"velocity",)"
+                              R"("residual":4e-09,"unit":"N/m","ratio":4e-10}])"));
   EXPECT_THAT(text, HasSubstr(R"("summary":{"end_error_m":154.5}})"));
 }
 

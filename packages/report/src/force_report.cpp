@@ -69,9 +69,9 @@ std::vector<double> ForceReport::measure(const Step& step) {
         force[j] += sign * rows[static_cast<std::size_t>(row) + j];
   };
   if (modules_.empty()) add(step.reactions, 1);
-  std::vector<double> residual, magnitude;
+  std::vector<double> residual;
   for (const int module : modules_) {
-    assembler_.residual(step.balance, residual, magnitude, module);
+    assembler_.residual(step.balance, residual, module);
     add(residual, -1);
   }
   MPI_Allreduce(MPI_IN_PLACE, force.data(), static_cast<int>(force.size()), MPI_DOUBLE, MPI_SUM,

@@ -4,6 +4,7 @@
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Vector.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -20,30 +21,7 @@ void reduce_norms(const BlockSystem& system, std::vector<double>& squares) {
 
 }  // namespace
 
-std::vector<BlockNorm> block_norms(const BlockSystem& system, const TpetraVector& residual,
-                                   const TpetraVector& magnitude,
-                                   const std::vector<double>& round_off) {
-  const auto f = residual.getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto m = magnitude.getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::vector<double> sums(2 * system.blocks.size(), 0.0);
-  for (std::size_t i = 0; i < system.blocks.size(); ++i) {
-    for (const LocalIndex row : system.blocks[i].rows) {
-      sums[2 * i] += f(row, 0) * f(row, 0);
-      sums[2 * i + 1] += m(row, 0) * m(row, 0);
-    }
-  }
-  reduce_norms(system, sums);
-  std::vector<BlockNorm> norms;
-  for (std::size_t i = 0; i < system.blocks.size(); ++i) {
-    const auto& block = system.blocks[i];
-    BlockNorm norm{block.name, block.field, block.unit, sums[2 * i], sums[2 * i + 1], 0.0};
-    if (!(norm.residual <= round_off[i])) norm.ratio = norm.residual / norm.magnitude;
-    norms.push_back(norm);
-  }
-  return norms;
-}
-
-std::vector<double> product_magnitudes(const BlockSystem& system, const TpetraVector& x) {
+JacobianScales jacobian_scales(const BlockSystem& system, const TpetraVector& x) {
   const auto& matrix = *system.matrix;
   TpetraVector with_ghosts(matrix.getColMap());
   const auto importer = matrix.getGraph()->getImporter();
@@ -53,17 +31,59 @@ std::vector<double> product_magnitudes(const BlockSystem& system, const TpetraVe
     with_ghosts.doImport(x, *importer, Tpetra::INSERT);
   const auto values = with_ghosts.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto local = matrix.getLocalMatrixHost();
-  std::vector<double> sums(system.blocks.size(), 0.0);
+  JacobianScales scales{std::vector<double>(static_cast<std::size_t>(local.numRows()), 0.0),
+                        std::vector<double>(system.blocks.size(), 0.0)};
   for (std::size_t i = 0; i < system.blocks.size(); ++i) {
-    for (const LocalIndex row : system.blocks[i].rows) {
-      double sum = 0;
-      for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k)
-        sum += std::abs(local.values(k) * values(local.graph.entries(k), 0));
-      sums[i] += sum * sum;
+    const Block& block = system.blocks[i];
+    for (const LocalIndex row : block.rows) {
+      double product = 0, largest = 0, own = 0;
+      for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+        const double entry = std::abs(local.values(k));
+        product += entry * std::abs(values(local.graph.entries(k), 0));
+        largest = std::max(largest, entry);
+        if (local.graph.entries(k) == row) own = entry;  // columns: the rows, then the ghosts
+      }
+      if (own == 0) own = largest;
+      scales.of_unknown[static_cast<std::size_t>(row)] = own;
+      if (!block.sizes.empty() && own > 0) product /= own;
+      scales.products[i] += product * product;
+    }
+  }
+  reduce_norms(system, scales.products);
+  return scales;
+}
+
+std::vector<BlockNorm> block_norms(const BlockSystem& system, const TpetraVector& residual,
+                                   const TpetraVector& magnitude, const JacobianScales& scales,
+                                   double round_off) {
+  const auto f = residual.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto m = magnitude.getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::vector<double> sums(2 * system.blocks.size(), 0.0);
+  for (std::size_t i = 0; i < system.blocks.size(); ++i) {
+    const Block& block = system.blocks[i];
+    const bool sized = !block.sizes.empty() && !scales.of_unknown.empty();
+    for (std::size_t k = 0; k < block.rows.size(); ++k) {
+      const LocalIndex row = block.rows[k];
+      double off = f(row, 0), whole = m(row, 0);
+      if (sized) {
+        const double slope = scales.of_unknown[static_cast<std::size_t>(row)];
+        if (slope > 0) off /= slope;
+        whole = block.sizes[k];
+      }
+      sums[2 * i] += off * off;
+      sums[2 * i + 1] += whole * whole;
     }
   }
   reduce_norms(system, sums);
-  return sums;
+  std::vector<BlockNorm> norms;
+  for (std::size_t i = 0; i < system.blocks.size(); ++i) {
+    const auto& block = system.blocks[i];
+    BlockNorm norm{block.name, block.field, block.unit, sums[2 * i], sums[2 * i + 1], 0.0};
+    const double none = scales.products.empty() ? 0 : round_off * scales.products[i];
+    if (!(norm.residual <= none)) norm.ratio = norm.residual / norm.magnitude;
+    norms.push_back(norm);
+  }
+  return norms;
 }
 
 std::size_t worst_of(const std::vector<BlockNorm>& norms) {

@@ -8,14 +8,23 @@
 
 namespace hawser {
 
-/// One norm per block. `round_off` holds, per block, the residual that counts as none.
-std::vector<BlockNorm> block_norms(const BlockSystem& system, const TpetraVector& residual,
-                                   const TpetraVector& magnitude,
-                                   const std::vector<double>& round_off);
+/// What a Jacobian says of the rows.
+struct JacobianScales {
+  /// Per owned row, the derivative of the residual with respect to its own unknown (absolute; the
+  /// row's largest entry where that is zero). Empty before the first Jacobian.
+  std::vector<double> of_unknown;
+  /// Per block, the 2-norm of |J| |x|: multiplied by the machine's precision, what rounding alone
+  /// can do to a residual whose contributions cancel before they are recorded as its magnitude.
+  std::vector<double> products;
+};
+JacobianScales jacobian_scales(const BlockSystem& system, const TpetraVector& x);
 
-/// Per block, the 2-norm of |J| |x|: multiplied by the machine's precision, what rounding alone can
-/// do to a residual whose contributions cancel before they are recorded as its magnitude.
-std::vector<double> product_magnitudes(const BlockSystem& system, const TpetraVector& x);
+/// One norm per block. Unknowns with a size are judged by how much they are off, which the row's
+/// derivative tells, against their size; others by the residual against what cancels in it. A
+/// residual below `round_off` |J| |x| counts as none.
+std::vector<BlockNorm> block_norms(const BlockSystem& system, const TpetraVector& residual,
+                                   const TpetraVector& magnitude, const JacobianScales& scales,
+                                   double round_off);
 
 /// Index of the largest ratio, a NaN before all.
 std::size_t worst_of(const std::vector<BlockNorm>& norms);

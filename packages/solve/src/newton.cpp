@@ -11,23 +11,18 @@ namespace hawser {
 
 Newton::Newton(NonlinearProblem& a_problem, LinearOptions linear_options,
                NonlinearOptions some_options)
-    : problem(a_problem),
-      linear(a_problem.system(), linear_options),
-      options(some_options),
-      round_off_(a_problem.system().blocks.size(), 0.0) {}
+    : problem(a_problem), linear(a_problem.system(), linear_options), options(some_options) {}
 
 void Newton::forget() {
   linear.drop_factor();
-  std::fill(round_off_.begin(), round_off_.end(), 0.0);
+  scales_ = {};
 }
 
 void Newton::compute_jacobian(const TpetraVector& x) {
   problem.jacobian(x);
   ++report.jacobians;
   linear.matrix_changed(shift);
-  round_off_ = product_magnitudes(problem.system(), x);
-  for (double& value : round_off_)
-    value *= options.round_off;
+  scales_ = jacobian_scales(problem.system(), x);
 }
 
 void Newton::compute_residual(const TpetraVector& x, TpetraVector& f, TpetraVector& magnitude) {
@@ -44,16 +39,23 @@ void Newton::compute_update(const TpetraVector& f, TpetraVector& update, double 
 }
 
 std::vector<BlockNorm> Newton::norms(const TpetraVector& f, const TpetraVector& magnitude) const {
-  return block_norms(problem.system(), f, magnitude, round_off_);
+  return block_norms(problem.system(), f, magnitude, scales_, options.round_off);
+}
+
+Criterion Newton::criterion(const std::vector<BlockNorm>& norms) const {
+  const BlockNorm& worst = norms[worst_of(norms)];
+  return {worst.block, worst.field, "residual", worst.ratio, options.tolerance};
 }
 
 bool Newton::balanced(const std::vector<BlockNorm>& norms) const {
-  return norms[worst_of(norms)].ratio <= options.tolerance;
+  const Criterion decides = criterion(norms);
+  return decides.value <= decides.tolerance;
 }
 
 bool Newton::record(const std::vector<BlockNorm>& norms) {
   report.converged = balanced(norms);
   report.ratios.push_back(norms[worst_of(norms)].ratio);
+  report.criteria.push_back(criterion(norms));
   report.history.push_back(norms);
   return report.converged;
 }

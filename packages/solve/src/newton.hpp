@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "block_norms.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/solve/nonlinear_driver.hpp"
 
@@ -24,6 +25,7 @@ class Newton {
   void compute_update(const TpetraVector& f, TpetraVector& update, double tolerance);
 
   std::vector<BlockNorm> norms(const TpetraVector& f, const TpetraVector& magnitude) const;
+  Criterion criterion(const std::vector<BlockNorm>& norms) const;
   bool balanced(const std::vector<BlockNorm>& norms) const;
   /// Whether an iterate with these norms is the solution; the report has them from now on.
   bool record(const std::vector<BlockNorm>& norms);
@@ -40,7 +42,7 @@ class Newton {
   double shift = 0;  ///< 1 / the present step of pseudo-transient continuation; 0: there is none
 
  private:
-  std::vector<double> round_off_;  ///< per block, the residual that counts as none
+  JacobianScales scales_;  ///< of the last Jacobian
 };
 
 }  // namespace hawser

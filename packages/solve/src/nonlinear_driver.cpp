@@ -7,6 +7,7 @@
 
 #include "backtrack.hpp"
 #include "lagged.hpp"
+#include "levels.hpp"
 #include "nox_solve.hpp"
 
 namespace hawser {
@@ -36,6 +37,19 @@ Teuchos::RCP<Teuchos::ParameterList> newton_parameters(Newton& newton) {
   return list;
 }
 
+/// The guess with the levels of its fields in place.
+Teuchos::RCP<NewtonGroup> first_iterate(Newton& newton, const TpetraVector& guess) {
+  auto group = Teuchos::rcp(new NewtonGroup(newton, guess));
+  group->computeF();
+  if (newton.balanced(group->norms())) return group;
+  group->computeJacobian();  // Newton needs it next anyway, and it tells what is round-off
+  TpetraVector levelled(guess, Teuchos::Copy);
+  if (!newton.balanced(group->norms()) &&
+      level_fields(newton.problem.system(), group->residual(), levelled))
+    group = Teuchos::rcp(new NewtonGroup(newton, levelled));
+  return group;
+}
+
 }  // namespace
 
 struct NonlinearDriver::Implementation {
@@ -53,9 +67,9 @@ NonlinearReport NonlinearDriver::solve(TpetraVector& x) {
   newton.report = {};
   TpetraVector start(x, Teuchos::Copy);
   if (!implementation_->lagged.solve(start)) {
-    const auto group = Teuchos::rcp(new NewtonGroup(newton, start));
     const int most = newton.options.max_iterations;
     newton.shift = newton.options.pseudo_step > 0 ? 1 / newton.options.pseudo_step : 0;
+    const auto group = first_iterate(newton, start);
     if (!nox_solve(newton, group, newton_parameters(newton), most))
       throw newton.failure("no convergence in " + std::to_string(most) + " iterations",
                            group->residual(), group->magnitude());

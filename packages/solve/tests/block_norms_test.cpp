@@ -19,7 +19,7 @@ struct BlockNorms : testing::Test {
   }
   std::vector<BlockNorm> norms(double residual, double magnitude, double round_off = 0) {
     return block_norms(problem.system(), problem.guess(residual), problem.guess(magnitude),
-                       {round_off, 0});
+                       {{}, {1, 0}}, round_off);
   }
   const BlockSystem& system() { return problem.system(); }
 
@@ -46,9 +46,21 @@ TEST_F(BlockNorms, ARoundedResidualIsNone) {
 }
 
 TEST_F(BlockNorms, ProductMagnitudesAreOfAbsoluteValues) {
-  const auto found = product_magnitudes(system(), problem.guess(-5));
+  const auto found = jacobian_scales(system(), problem.guess(-5)).products;
   EXPECT_DOUBLE_EQ(found[0], 10 * std::sqrt(upper));
   EXPECT_DOUBLE_EQ(found[1], 10 * std::sqrt(lower));
+}
+
+// f = -2 x: a residual of 3 says that x is off by 1.5, of a size of 6.
+TEST_F(BlockNorms, AnUnknownWithASizeIsJudgedByHowMuchItIsOff) {
+  auto& block = problem.system().blocks[0];
+  block.sizes.assign(block.rows.size(), 6);
+  const auto scales = jacobian_scales(system(), problem.guess(-5));
+  const auto found =
+      block_norms(system(), problem.guess(-3), problem.guess(1e-30), scales, 1e-14)[0];
+  EXPECT_DOUBLE_EQ(found.residual, 1.5 * std::sqrt(upper));
+  EXPECT_DOUBLE_EQ(found.ratio, 0.25);
+  EXPECT_DOUBLE_EQ(scales.products[0], 5 * std::sqrt(upper));  // in the unknown's unit, too
 }
 
 TEST_F(BlockNorms, TheWorstIsTheLargestRatioAndNaNBeforeAll) {
@@ -64,7 +76,7 @@ TEST_F(BlockNorms, TheWorstIsTheLargestRatioAndNaNBeforeAll) {
 TEST_F(BlockNorms, DescriptionNamesTheLargestRowOnAllRanks) {
   auto residual = problem.guess(1);
   residual.replaceGlobalValue(9, -7.0);  // a row of the first block, on the last rank
-  const auto found = block_norms(system(), residual, problem.guess(10), {0, 0});
+  const auto found = block_norms(system(), residual, problem.guess(10), {}, 0);
   const std::string text =
       describe_block(system(), found[0], system().blocks[0], residual,
                      [](GlobalIndex row) { return "node " + std::to_string(row); });

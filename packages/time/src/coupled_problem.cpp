@@ -26,11 +26,34 @@ void CoupledProblem::start() {
 void CoupledProblem::begin_step(double step) {
   integrator_.begin_step(step, state_);
   prescribe();
+  level_with_prescribed();
   for (const PrescribedRow& row : constraints_.prescribed())
     state_.value[static_cast<std::size_t>(row.row)] = row.value;
   assembler_.spread(state_.value);
   integrator_.update_rates(state_);
   integrator_.extrapolate(state_, end_);
+}
+
+// A field of which only differences count, a pressure, follows its prescribed values as a whole.
+void CoupledProblem::level_with_prescribed() {
+  const DofMap& dofs = assembler_.dofs();
+  for (std::size_t field = 0; field < dofs.fields().size(); ++field) {
+    if (!dofs.fields()[field].has_level) continue;
+    const auto in_field = [&](LocalIndex row) {
+      return static_cast<std::size_t>(dofs.info(row).field) == field;
+    };
+    double rise = 0, count = 0;
+    for (const PrescribedRow& row : constraints_.prescribed()) {
+      if (!in_field(row.row)) continue;
+      rise += row.value - state_.value[static_cast<std::size_t>(row.row)];
+      count += 1;
+    }
+    count = dofs.mesh().communicator.sum(count);
+    if (count == 0) continue;
+    rise = dofs.mesh().communicator.sum(rise) / count;
+    for (LocalIndex row = 0; row < dofs.owned(); ++row)
+      if (in_field(row)) state_.value[static_cast<std::size_t>(row)] += rise;
+  }
 }
 
 void CoupledProblem::prescribe() {
@@ -59,7 +82,7 @@ void CoupledProblem::finish_step(const TpetraVector& x) {
   const auto lap = residual_watch_.lap();
   set_state(x);
   integrator_.extrapolate(state_, end_);
-  assembler_.residual(state_, total_, magnitude_);
+  assembler_.residual(state_, total_);
 }
 
 void CoupledProblem::residual(const TpetraVector& x, TpetraVector& f, TpetraVector& magnitude) {

@@ -15,6 +15,10 @@ struct Block {
   std::string field;             ///< velocity, pressure, displacement, ...
   std::string unit;              ///< unit of the residual's entries
   std::vector<LocalIndex> rows;  ///< owned local rows, ascending
+  bool has_level = false;  ///< of the unknowns only differences count, over all blocks of the field
+  /// Per row: by how much its unknown must be off to be wholly wrong, in the unknown's unit. Empty:
+  /// nobody can say; then the row is judged by what cancels in it.
+  std::vector<double> sizes{};
 };
 
 struct BlockSystem {

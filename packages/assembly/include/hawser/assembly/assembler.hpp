@@ -31,11 +31,17 @@ class Assembler {
 
   static constexpr int all_modules = -1;
 
-  /// total[owned row] = sum of the kernels' contributions, before any condition; magnitude = sum of
-  /// their absolute values. With a module's index: what that module alone adds, also to rows it
-  /// does not govern. SolveError on all ranks when a cell is inverted or a contribution not finite.
-  void residual(const State& state, std::vector<double>& total, std::vector<double>& magnitude,
-                int module = all_modules) const;
+  /// total[owned row] = sum of the kernels' contributions, before any condition. With a module's
+  /// index: what that module alone adds, also to rows it does not govern. SolveError on all ranks
+  /// when a cell is inverted or a contribution not finite.
+  void residual(const State& state, std::vector<double>& total, int module = all_modules) const;
+
+  /// Also the scale of each row, the sum of the cells' absolute contributions. A field that has a
+  /// level (a pressure) enters the cells without its mean there; what the means contribute enters
+  /// as one sum, together with what stands on facets: a pressure's gradient and the traction that
+  /// holds it, however high both are.
+  void residual(const State& state, std::vector<double>& total,
+                std::vector<double>& magnitude) const;
 
   /// The tangent of all kernels in system().matrix, before any condition. Same errors.
   void tangent(const State& state);
@@ -58,6 +64,9 @@ class Assembler {
   void spread(std::vector<double>& local) const;  ///< the same from the owned entries of `local`
 
  private:
+  void add_up(const State& state, int module, std::vector<double>& total,
+              std::vector<double>* magnitude) const;
+
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };

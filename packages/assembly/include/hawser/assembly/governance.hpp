@@ -13,8 +13,10 @@ struct Governance {
   static constexpr int shared = -1;     ///< contributions of all modules add up
   static constexpr int kinematic = -2;  ///< the time scheme's relation of displacement to velocity
 
-  std::vector<int> governor;      ///< per owned row: shared, kinematic or the index of a module
-  std::vector<int> block_of_row;  ///< per owned row: index of the module whose block it belongs to
+  std::vector<int> governor;  ///< per owned row: shared, kinematic or the index of a module
+  /// Names on all ranks alike: the modules' blocks, then "interface", where modules of several add.
+  std::vector<std::string> blocks;
+  std::vector<int> block_of_row;  ///< per owned row
 };
 
 /// DeckError naming both modules when two of equal rank govern the same row. Collective.

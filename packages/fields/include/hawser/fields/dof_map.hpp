@@ -21,6 +21,8 @@ struct FieldDescription {
   std::vector<Domain> domains{};  ///< the field lives on their union
   /// Field whose value this one's rate equals on structures, or empty.
   std::string follows{};
+  bool has_level = false;     ///< only its differences count, as a pressure's
+  bool places_nodes = false;  ///< judged against the size of the cells
 };
 
 enum class PointKind { vertex, split_vertex, edge };

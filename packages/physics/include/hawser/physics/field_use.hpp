@@ -52,6 +52,11 @@ struct FieldUse {
   std::optional<Basis> basis{};          ///< P1 where nobody wishes otherwise
   bool needs_basis = false;              ///< the residual is right with that basis alone
   std::optional<Numbering> numbering{};  ///< continuous where nobody wishes otherwise
+  /// A constant added everywhere changes nothing but what boundaries take up: a pressure's level.
+  /// What it contributes to a balance is no scale for that balance.
+  bool has_level = false;
+  /// Its values are places: how far they are off is judged against the size of the cells.
+  bool places_nodes = false;
 
   constexpr FieldUse as(Role new_role, unsigned new_needs) const {
     FieldUse copy = *this;
@@ -59,16 +64,27 @@ struct FieldUse {
     copy.needs = new_needs;
     return copy;
   }
+  /// Only its differences count.
+  constexpr FieldUse with_level() const {
+    FieldUse copy = *this;
+    copy.has_level = true;
+    return copy;
+  }
+  constexpr FieldUse of_places() const {
+    FieldUse copy = *this;
+    copy.places_nodes = true;
+    return copy;
+  }
   constexpr FieldUse wishing(Basis wish) const { return with(wish, false); }
   constexpr FieldUse only(Basis wish) const { return with(wish, true); }
   constexpr FieldUse wishing(Numbering wish) const {
-    return {name,  unit,    residual_unit, components,  rate_rule, role,
-            needs, follows, basis,         needs_basis, wish};
+    return {name,    unit,  residual_unit, components, rate_rule, role,        needs,
+            follows, basis, needs_basis,   wish,       has_level, places_nodes};
   }
 
   constexpr FieldUse with(Basis wish, bool needed) const {
-    return {name,  unit,    residual_unit, components, rate_rule, role,
-            needs, follows, wish,          needed,     numbering};
+    return {name,    unit, residual_unit, components, rate_rule, role,        needs,
+            follows, wish, needed,        numbering,  has_level, places_nodes};
   }
 };
 
@@ -101,10 +117,13 @@ struct StandardFields {
   static constexpr const char* force = D == 2 ? "N/m" : "N";
   static constexpr FieldUse velocity{field_name::velocity, "m/s", force, D, RateRule::dynamic};
   static constexpr FieldUse pressure =
-      FieldUse{field_name::pressure, "Pa", "m^2/s", 1, RateRule::none}.wishing(Numbering::sides);
-  static constexpr FieldUse displacement{
-      field_name::displacement, "m",         "m",         D,
-      RateRule::quotient,       Role::reads, need::value, field_name::velocity};
+      FieldUse{field_name::pressure, "Pa", "m^2/s", 1, RateRule::none}
+          .wishing(Numbering::sides)
+          .with_level();
+  static constexpr FieldUse displacement =
+      FieldUse{field_name::displacement, "m",         "m",         D,
+               RateRule::quotient,       Role::reads, need::value, field_name::velocity}
+          .of_places();
 };
 
 }  // namespace hawser

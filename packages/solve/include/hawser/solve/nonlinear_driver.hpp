@@ -58,6 +58,14 @@ struct BlockNorm {
   double ratio = 0;      ///< residual / magnitude, 0 where the residual is below round-off
 };
 
+/// What decides whether an iterate is the solution: the test that is furthest from being passed.
+struct Criterion {
+  std::string block, field;
+  std::string test;  ///< "residual": BlockNorm::ratio
+  double value = 0;  ///< not above the tolerance: passed
+  double tolerance = 1;
+};
+
 struct NonlinearReport {
   bool converged = false;
   int iterations = 0;         ///< updates, lagged ones included
@@ -66,6 +74,7 @@ struct NonlinearReport {
   int factorizations = 0;
   std::vector<std::vector<BlockNorm>> history;  ///< per iteration, the start included
   std::vector<double> ratios;                   ///< the worst ratio of each
+  std::vector<Criterion> criteria;              ///< what decided on each
 };
 
 class NonlinearDriver {

@@ -43,6 +43,7 @@ class CoupledProblem : public NonlinearProblem {
  private:
   void set_state(const TpetraVector& x);
   void prescribe();
+  void level_with_prescribed();
 
   Assembler& assembler_;
   TimeIntegrator& integrator_;
