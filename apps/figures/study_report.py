@@ -35,6 +35,9 @@ QUANTITIES = [("end_error_m", "end error (m)", "{:.2f}"), ("end_error_exact_m", 
               ("tow_force_n_per_m", "tow force (N/m)", "{:.0f}"), ("line_force_n_per_m", "force (N/m)", "{:.0f}"),
               ("mesh_quality_min", "mesh quality", "{:.2f}"), ("steps_rejected", "steps cut", "{:.0f}")]
 
+REFINED = ("step", "mesh_scale")  # what a deck's discretisation follows from
+LIMITED = ("end_error_m", "total_error_arc_m", "tow_force_n_per_m", "line_force_n_per_m")
+
 
 def case_rows(sweep):
     """One row per case; a failed one says why."""
@@ -74,6 +77,25 @@ def curves(sweep, figures):
             axes.set_xscale("log")
     figure.tight_layout()
     figures.save(figure, f"sweep_{sweep.name}", f"{sweep.meaning or sweep.name}")
+
+
+def limits(sweep):
+    """Where a sweep refines the step or the mesh in one ratio: what its quantities tend to, by the three finest runs."""
+    if len(sweep.varied) != 1 or sweep.varied[0] not in REFINED:
+        return ""
+    runs = sorted(((number(c.values[sweep.varied[0]]), c) for c in sweep.finished), key=lambda run: -run[0])[-3:]
+    sizes = [size for size, _ in runs]
+    if len(runs) < 3 or not math.isclose(sizes[0] / sizes[1], sizes[1] / sizes[2], rel_tol=1e-3):
+        return ""
+    rows = []
+    for name, label, form in QUANTITIES:
+        values = [case.quantity(name) for _, case in runs]
+        if name in LIMITED and all(math.isfinite(value) for value in values):
+            limit = dt.grid_limit(sizes, values)
+            rows.append("<tr>" + cell(label) + cell(" / ".join(form.format(value) for value in values)) +
+                        cell("none" if limit.order is None else f"{limit.order:.2f}") +
+                        cell(f"{form.format(limit.value)} ± {form.format(limit.uncertainty)}") + "</tr>")
+    return table(["quantity", "at " + " / ".join(f"{size:g}" for size in sizes), "order", "limit"], rows) if rows else ""
 
 
 def inference(study, tows):
@@ -163,7 +185,7 @@ def main():
         if study.report != "deep-tow":
             curves(sweep, figures)
         body += f"<h3>{html.escape(sweep.name)}</h3>\n<p>{html.escape(sweep.meaning)} Base deck: {html.escape(sweep.deck)}.</p>\n"
-        body += case_rows(sweep)
+        body += case_rows(sweep) + limits(sweep)
     body += "<h2>Figures</h2>\n"
     for name, caption, image in figures.shown:
         body += f'<figure id="{name}"><img alt="{html.escape(name)}" src="{image}"><figcaption>{html.escape(caption)}</figcaption></figure>\n'
