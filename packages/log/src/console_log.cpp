@@ -14,8 +14,9 @@ std::string text(const Criterion& decides) {
 }
 
 std::string text(const BlockNorm& norm) {
-  return fmt::format("    {:24} residual {:.1e} {:6} ratio {:.1e}", norm.block + "." + norm.field,
-                     norm.residual, norm.unit, norm.ratio);
+  return fmt::format("    {:24} residual {:.1e} {:6} ratio {:.1e}{}", norm.block + "." + norm.field,
+                     norm.residual, norm.unit, norm.ratio,
+                     norm.error ? fmt::format("  error {:.1e}", *norm.error) : "");
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ void JsonLog::stepped(const Step& step, const MeshFigures& mesh, double end) {
                            {"field", norm.field},
                            {"residual", norm.residual},
                            {"unit", norm.unit},
-                           {"ratio", norm.ratio}});
+                           {"ratio", norm.ratio},
+                           {"error", norm.error ? Json(*norm.error) : Json()}});
   tell({{"event", "step"},
         {"step", step.number},
         {"time_s", step.end.time},

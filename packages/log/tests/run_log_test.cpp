@@ -95,7 +95,7 @@ TEST(JsonLog, TellsOneObjectPerLine) {
                               R"("factorizations":1,"decides":{"block":"fluid","field":"velocity",)"
                               R"("test":"residual","value":4e-10,"tolerance":1e-08},)"
                               R"("residuals":[{"block":"fluid","field":"velocity",)"
-                              R"("residual":4e-09,"unit":"N/m","ratio":4e-10}])"));
+                              R"("residual":4e-09,"unit":"N/m","ratio":4e-10,"error":null}])"));
   EXPECT_THAT(text, HasSubstr(R"("summary":{"end_error_m":154.5}})"));
 }
 

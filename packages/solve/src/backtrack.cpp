@@ -2,12 +2,27 @@
 
 #include <NOX_Solver_Generic.H>
 
-#include "newton_group.hpp"
+#include <algorithm>
 
 namespace hawser {
 
-// The residual is measured row-scaled, in the norm that the linear solver reduces: an inexact
-// Newton step is a descent direction for that norm, and it never mixes newtons with metres.
+// Each block against itself: none may grow unseen behind another's rows.
+bool Backtrack::is_acceptable(const NewtonGroup& start, const NewtonGroup& trial) {
+  const NonlinearOptions& options = newton_.options;
+  const auto& before = start.norms();
+  const auto& after = trial.norms();
+  bool tame = true;
+  for (std::size_t i = 0; i < after.size(); ++i)
+    tame = tame && (after[i].ratio <= options.small_ratio ||
+                    after[i].residual <= options.allowed_growth * before[i].residual);
+  if (tame) return true;
+  // Deuflhard, Newton Methods for Nonlinear Problems (2004), section 3.3.1: the natural level
+  // function, which does not know the scales of the rows.
+  const auto step = newton_.last_changes(trial.x());
+  const auto left = newton_.remaining_changes(trial.x(), trial.residual());
+  return *std::max_element(left.begin(), left.end()) <= *std::max_element(step.begin(), step.end());
+}
+
 bool Backtrack::compute(NOX::Abstract::Group& group, double& step,
                         const NOX::Abstract::Vector& direction,
                         const NOX::Solver::Generic& solver) {
@@ -27,8 +42,7 @@ bool Backtrack::compute(NOX::Abstract::Group& group, double& step,
       continue;
     }
     const double norm = trial.getNormF();
-    const bool acceptable = norm <= newton_.options.allowed_growth * norm_before;
-    if (acceptable || !newton_.options.line_search) {
+    if (!newton_.options.line_search || is_acceptable(start, trial)) {
       if (norm > newton_.options.divergence * first_norm_)
         throw newton_.failure("the residual diverges", trial.residual(), trial.magnitude());
       newton_.shift *= norm / norm_before;  // the pseudo-time step grows as the residual falls

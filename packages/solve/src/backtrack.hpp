@@ -3,7 +3,7 @@
 #include <NOX_LineSearch_Generic.H>
 #include <Teuchos_ParameterList.hpp>
 
-#include "newton.hpp"
+#include "newton_group.hpp"
 
 namespace hawser {
 
@@ -16,6 +16,8 @@ class Backtrack : public NOX::LineSearch::Generic {
                const NOX::Solver::Generic& solver) override;
 
  private:
+  bool is_acceptable(const NewtonGroup& start, const NewtonGroup& trial);
+
   Newton& newton_;
   double first_norm_ = -1;  ///< row-scaled, of the solve's first residual; -1: none yet
 };

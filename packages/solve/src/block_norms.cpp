@@ -86,6 +86,53 @@ std::vector<BlockNorm> block_norms(const BlockSystem& system, const TpetraVector
   return norms;
 }
 
+std::vector<double> relative_changes(const BlockSystem& system, const TpetraVector& change,
+                                     const TpetraVector& x) {
+  const auto& blocks = system.blocks;
+  const auto values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto changes = change.getLocalViewHost(Tpetra::Access::ReadOnly);
+  // Per block the unknowns' count and the sums of their values and changes; then of their squares.
+  std::vector<double> sums(3 * blocks.size(), 0.0), squares(2 * blocks.size(), 0.0);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    for (const LocalIndex row : blocks[i].rows) {
+      sums[3 * i] += 1;
+      sums[3 * i + 1] += values(row, 0);
+      sums[3 * i + 2] += changes(row, 0);
+    }
+  const auto add_ranks = [&](std::vector<double>& numbers) {
+    MPI_Allreduce(MPI_IN_PLACE, numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE,
+                  MPI_SUM, system.communicator.mpi());
+  };
+  const auto over_field = [&](std::size_t block, const std::vector<double>& numbers,
+                              std::size_t width, std::size_t which) {
+    double sum = 0;
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+      if (blocks[i].field == blocks[block].field) sum += numbers[width * i + which];
+    return sum;
+  };
+  add_ranks(sums);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const double count = blocks[i].has_level ? over_field(i, sums, 3, 0) : 0;
+    const double level = count > 0 ? over_field(i, sums, 3, 1) / count : 0;
+    const double rise = count > 0 ? over_field(i, sums, 3, 2) / count : 0;
+    for (std::size_t k = 0; k < blocks[i].rows.size(); ++k) {
+      const LocalIndex row = blocks[i].rows[k];
+      const double size = blocks[i].sizes.empty() ? values(row, 0) - level : blocks[i].sizes[k];
+      const double off = changes(row, 0) - rise;
+      squares[2 * i] += size * size;
+      squares[2 * i + 1] += off * off;
+    }
+  }
+  add_ranks(squares);
+  std::vector<double> result;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const double of_field = over_field(i, squares, 2, 0) / over_field(i, sums, 3, 0);
+    const double size = std::max(squares[2 * i], sums[3 * i] * of_field);
+    result.push_back(squares[2 * i + 1] == 0 ? 0 : std::sqrt(squares[2 * i + 1] / size));
+  }
+  return result;
+}
+
 std::size_t worst_of(const std::vector<BlockNorm>& norms) {
   std::size_t worst = 0;
   for (std::size_t i = 1; i < norms.size(); ++i)

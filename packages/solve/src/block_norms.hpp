@@ -26,6 +26,12 @@ std::vector<BlockNorm> block_norms(const BlockSystem& system, const TpetraVector
                                    const TpetraVector& magnitude, const JacobianScales& scales,
                                    double round_off);
 
+/// Per block, the 2-norm of a change of the unknowns relative to their size: that of the block
+/// where it has sizes, else their values at x, of the block or, where those are larger, of the
+/// whole field (root mean squares). Of a field that has a level both are without their means.
+std::vector<double> relative_changes(const BlockSystem& system, const TpetraVector& change,
+                                     const TpetraVector& x);
+
 /// Index of the largest ratio, a NaN before all.
 std::size_t worst_of(const std::vector<BlockNorm>& norms);
 

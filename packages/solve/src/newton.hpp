@@ -23,6 +23,12 @@ class Newton {
 
   /// update = -J^-1 f with the last Jacobian.
   void compute_update(const TpetraVector& f, TpetraVector& update, double tolerance);
+  /// The last update, and what the last Jacobian says that x is off by where the residual is f; per
+  /// block, relative to the unknowns there.
+  std::vector<double> last_changes(const TpetraVector& x) const;
+  std::vector<double> remaining_changes(const TpetraVector& x, const TpetraVector& f);
+  /// Completes the norms of an iterate that is in balance by the errors of its unknowns.
+  void estimate_errors(const TpetraVector& x, const TpetraVector& f, std::vector<BlockNorm>& norms);
 
   std::vector<BlockNorm> norms(const TpetraVector& f, const TpetraVector& magnitude) const;
   Criterion criterion(const std::vector<BlockNorm>& norms) const;
@@ -42,7 +48,8 @@ class Newton {
   double shift = 0;  ///< 1 / the present step of pseudo-transient continuation; 0: there is none
 
  private:
-  JacobianScales scales_;  ///< of the last Jacobian
+  JacobianScales scales_;              ///< of the last Jacobian
+  Teuchos::RCP<TpetraVector> update_;  ///< the last one
 };
 
 }  // namespace hawser

@@ -46,6 +46,11 @@ const std::vector<BlockNorm>& NewtonGroup::norms() const {
   return norms_;
 }
 
+void NewtonGroup::estimate_errors() {
+  norms();
+  newton_.estimate_errors(x(), residual(), norms_);
+}
+
 NOX::Abstract::Group& NewtonGroup::operator=(const NOX::Abstract::Group& other) {
   const auto& source = dynamic_cast<const NewtonGroup&>(other);
   setX(source.getX());

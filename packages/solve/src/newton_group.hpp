@@ -14,6 +14,7 @@ class NewtonGroup : public NOX::Abstract::Group {
   const TpetraVector& residual() const { return *residual_.values; }
   const TpetraVector& magnitude() const { return *magnitude_; }
   const std::vector<BlockNorm>& norms() const;  ///< after computeF()
+  void estimate_errors();                       ///< in these norms
 
   NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override;
   void setX(const NOX::Abstract::Vector& x) override;

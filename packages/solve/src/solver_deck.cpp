@@ -33,10 +33,13 @@ Spec<NonlinearOptions> newton_spec() {
       .source("doc/numerics.md, doc/decisions/0003-convergence-norm.md")
       .attribute("tolerance", &P::tolerance, "1", between(1e-15, 1e-1),
                  "Largest residual of a block relative to the contributions that cancel in it.")
+      .attribute("update-tolerance", &P::update_tolerance, "1", between(0, 1),
+                 "Largest estimated error of a block's unknowns relative to their size: of places "
+                 "the cells', of pressures without their mean; 0: not tested.")
       .attribute("max-iterations", &P::max_iterations, at_least(1),
                  "Iterations before a step is rejected.")
       .attribute("line-search", &P::line_search,
-                 "Halve an update that is not admissible or explodes.")
+                 "Halve an update that is not admissible or makes a block explode.")
       .attribute("divergence", &P::divergence, "1", greater_than(1),
                  "Growth of the residual against the first one that ends the solve. Without line "
                  "search a stiff, slender cable passes through large ones.")

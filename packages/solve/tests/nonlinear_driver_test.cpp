@@ -165,6 +165,28 @@ TEST(NonlinearDriver, PseudoTransientContinuationLeavesACycle) {
   EXPECT_LT(ratios.back(), 1e-2 * ratios[ratios.size() - 2]);
 }
 
+// Where much cancels a small residual says little: x is 8 % off when it first passes.
+TEST(NonlinearDriver, AsksHowFarTheUnknownsAreOff) {
+  test::PointwiseProblem problem([](double x) { return x * x - 4; },
+                                 [](double x) { return 2 * x; });
+  problem.least_magnitude = 1e8;
+  NonlinearOptions options;
+  options.update_tolerance = 0;
+  auto x = problem.guess(3);
+  EXPECT_EQ(NonlinearDriver(problem, {}, options).solve(x).iterations, 1);
+  EXPECT_NEAR(x.meanValue(), 13. / 6, 1e-5);
+  options.update_tolerance = 1e-3;
+  x = problem.guess(3);
+  const auto report = NonlinearDriver(problem, {}, options).solve(x);
+  EXPECT_EQ(report.iterations, 3);
+  EXPECT_NEAR(x.meanValue(), 2, 1e-3);
+  const Criterion& decided = report.criteria.back();
+  EXPECT_EQ(decided.test, "update");
+  EXPECT_LE(decided.value, decided.tolerance);
+  // The estimate after the first iteration: f / J there is 0.116 of 2.17, as x was in truth off.
+  EXPECT_NEAR(report.criteria[1].value, (13. / 6 * 13. / 6 - 4) / 6 / (13. / 6), 1e-4);
+}
+
 TEST(NonlinearDriver, StartsFromTheSolutionWithoutAStep) {
   ReactionTransport problem(12);
   NonlinearDriver driver(problem, {}, {});

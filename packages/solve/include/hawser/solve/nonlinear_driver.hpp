@@ -2,6 +2,7 @@
 // Newton's method (NOX) on a NonlinearProblem, stopped by the norms of the named blocks.
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,21 @@ struct NonlinearOptions {
   /// rest or uniform, all contributions are round-off themselves, and their ratio says nothing.
   double round_off = 1e-14;
 
-  /// Halve the step, at most max_cuts times, while the residual is not admissible or has grown by
-  /// more than allowed_growth. Without line search the full step is taken or the solve fails.
+  /// On every block's error, what the unknowns are still off by relative to their size: the last
+  /// update where that is small already, else what the last Jacobian makes of the residual that is
+  /// left (Deuflhard's simplified Newton correction). 0: not asked for.
+  double update_tolerance = 1e-3;
+
+  /// Halve the step, at most max_cuts times, while it is not admissible: the residual cannot be
+  /// evaluated; or a block's has grown by more than allowed_growth, is above small_ratio, and the
+  /// correction that it asks for is larger than the step was. A stiff cable's residual grows
+  /// although the step is good: it turns segments before it corrects their length. Without line
+  /// search the full step is taken or the solve fails.
   bool line_search = true;
   int max_cuts = 8;
-  double allowed_growth = 10;  ///< Newton may climb a little before it falls; it must not explode
-  double divergence = 1e8;     ///< growth of the residual against the first one that ends the solve
+  double allowed_growth = 10;
+  double small_ratio = 1e-2;
+  double divergence = 1e8;  ///< growth of the residual against the first one that ends the solve
 
   /// Linear tolerance per iteration from the rate of the last (Eisenstat and Walker, their second
   /// choice); else LinearOptions::tolerance throughout.
@@ -56,12 +66,15 @@ struct BlockNorm {
   double residual = 0;   ///< 2-norm of the residual
   double magnitude = 0;  ///< 2-norm of the absolute contributions that cancel in it
   double ratio = 0;      ///< residual / magnitude, 0 where the residual is below round-off
+  /// What the unknowns are off by, estimated, relative to their size; nothing before the residual
+  /// is small enough to ask.
+  std::optional<double> error{};
 };
 
 /// What decides whether an iterate is the solution: the test that is furthest from being passed.
 struct Criterion {
   std::string block, field;
-  std::string test;  ///< "residual": BlockNorm::ratio
+  std::string test;  ///< "residual" (BlockNorm::ratio) or "update" (BlockNorm::error)
   double value = 0;  ///< not above the tolerance: passed
   double tolerance = 1;
 };
