@@ -11,7 +11,8 @@
 
 namespace hawser {
 
-/// One cell in an admissible state. Rates follow values: rate = slope value + partner v + rest.
+/// One cell in an admissible state, with something to remember. Rates follow values: rate = slope
+/// value + partner v + rest.
 class SampleCell {
  public:
   /// Of a kernel that is bound; `coordinates` are [vertex][dimension], m.
@@ -60,6 +61,8 @@ class SampleCell {
         slope_.push_back(rule == RateRule::none || structure ? 0 : 3 + any());
         partner_.push_back(structure ? 1 : 0);
       }
+    for (int i = 0; i < kernel_.memory_per_cell(); ++i)
+      memory_.push_back(any());
   }
 
   const CellInput& input(const std::vector<double>& value) {
@@ -76,7 +79,7 @@ class SampleCell {
       const std::size_t n = at(first_[f]);
       fields_.push_back({&current_[n], &rate_[n], &accepted_[n], &slope_[n], &partner_[n]});
     }
-    input_ = {0, 0.1, coordinates_.data(), fields_.data()};
+    input_ = {0, 0.1, coordinates_.data(), fields_.data(), memory_.data(), 0.1};
     return input_;
   }
 
@@ -84,7 +87,7 @@ class SampleCell {
   std::mt19937 random_;
   std::vector<double> coordinates_;
   std::vector<int> first_;
-  std::vector<double> amplitude_, value_, accepted_, rest_, slope_, partner_;
+  std::vector<double> amplitude_, value_, accepted_, rest_, slope_, partner_, memory_;
   std::vector<double> current_, rate_;
   std::vector<FieldOnCell> fields_;
   CellInput input_;

@@ -40,6 +40,9 @@ struct Assembler::Implementation {
       find_positions(sparsity, cells);
     make_matrix();
     system.blocks = name_blocks(map, governance, kernels);
+    for (std::size_t k = 0; k < kernels.size(); ++k)
+      make_memory(kernels[k], modules[static_cast<std::size_t>(kernels[k].module)].name + "-" +
+                                  std::to_string(k));
   }
 
   void make_maps() {
@@ -216,6 +219,27 @@ std::vector<Assembler::CellValues> Assembler::cell_quantities(const Region& regi
         result[first + k].values.push_back(values[k]);
     }
   }
+  return result;
+}
+
+void Assembler::begin_step() {
+  for (CellMemory* const memory : memories())
+    memory->accepted = memory->next;
+}
+
+void Assembler::remember(const State& state) {
+  for (KernelCells& cells : implementation_->kernels) {
+    if (cells.memory.per_cell == 0) continue;
+    each_cell(cells, dofs().mesh(), state, [&](LocalIndex cell, const CellInput& input) {
+      cells.kernel->advance_memory(input, &cells.memory.next[cells.memory_of(cell)]);
+    });
+  }
+}
+
+std::vector<CellMemory*> Assembler::memories() {
+  std::vector<CellMemory*> result;
+  for (KernelCells& cells : implementation_->kernels)
+    if (cells.memory.per_cell > 0) result.push_back(&cells.memory);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "hawser/base/error.hpp"
 #include "hawser/element/quadrature_degree.hpp"
@@ -93,6 +94,15 @@ KernelCells resolve(const DofMap& dofs, const Governance& governance, const Phys
   return cells;
 }
 
+void make_memory(KernelCells& cells, std::string name) {
+  CellMemory& memory = cells.memory;
+  memory.name = std::move(name);
+  memory.region = cells.region;
+  memory.per_cell = cells.kernel->memory_per_cell();
+  memory.accepted.assign(cells.memory_of(cells.region->size()), 0);
+  memory.next = memory.accepted;
+}
+
 CellGatherer::CellGatherer(const KernelCells& cells, const Mesh& mesh, const State& state)
     : cells_(cells), mesh_(mesh), state_(state) {
   const auto n = static_cast<std::size_t>(cells.unknowns());
@@ -104,7 +114,7 @@ CellGatherer::CellGatherer(const KernelCells& cells, const Mesh& mesh, const Sta
     fields_.push_back(
         {&value_[first], &rate_[first], &accepted_[first], &slope_[first], &partner_[first]});
   }
-  input_ = {state.time, state.step, coordinates_.data(), fields_.data()};
+  input_ = {state.time, state.step, coordinates_.data(), fields_.data(), nullptr, state.elapsed};
 }
 
 const CellInput& CellGatherer::gather(LocalIndex cell) {
@@ -130,6 +140,7 @@ const CellInput& CellGatherer::gather(LocalIndex cell) {
     for (std::size_t j = 0; j < dimension; ++j)
       coordinates_[v * dimension + j] = mesh_.coordinates[vertex * dimension + j];
   }
+  if (cells_.memory.per_cell > 0) input_.memory = &cells_.memory.accepted[cells_.memory_of(cell)];
   return input_;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 // A kernel on the cells of this rank, with every index it needs resolved beforehand.
+#include <string>
 #include <vector>
 
+#include "hawser/assembly/cell_memory.hpp"
 #include "hawser/assembly/governance.hpp"
 #include "hawser/fields/state.hpp"
 
@@ -21,15 +23,23 @@ struct KernelCells {
   std::vector<int> positions;  ///< [cell][unknown][unknown]: place in the matrix; -1 when dropped
 
   std::vector<int> levels;  ///< the fields among them that have a level
+  CellMemory memory;        ///< once made; nothing for most kernels
 
   int unknowns() const { return first.back(); }
   bool has_level() const { return !levels.empty(); }
+  /// Where the memory of a cell begins.
+  std::size_t memory_of(LocalIndex cell) const {
+    return static_cast<std::size_t>(cell) * static_cast<std::size_t>(memory.per_cell);
+  }
 };
 
 /// PluginError when the kernel is written for other cells than its region has, DeckError when it
 /// cannot work with a field's basis.
 KernelCells resolve(const DofMap& dofs, const Governance& governance, const PhysicsModule& module,
                     Kernel& kernel, int module_index);
+
+/// Zero everywhere, as at the start of a run.
+void make_memory(KernelCells& cells, std::string name);
 
 /// Gathers the nodal arrays of one cell after another without allocating.
 class CellGatherer {

@@ -46,6 +46,19 @@ class LoadKernel : public Kernel {
   int unknowns_ = 0;
 };
 
+/// Adds nothing; every cell remembers how much time went by and the sum of its accepted values.
+class RememberingKernel : public LoadKernel {
+ public:
+  using LoadKernel::LoadKernel;
+  int memory_per_cell() const override { return 2; }
+  void advance_memory(const CellInput& cell, double* next) const override {
+    next[0] = cell.memory[0] + cell.elapsed;
+    next[1] = cell.memory[1];
+    for (int i = 0; i < nodes(0) * fields()[0].components; ++i)
+      next[1] += cell.fields[0].value[i];
+  }
+};
+
 inline PhysicsModule module_with(const std::string& name, std::unique_ptr<Kernel> kernel) {
   PhysicsModule module{name, name, {}, {}};
   module.kernels.push_back(std::move(kernel));

@@ -20,7 +20,7 @@
 namespace hawser {
 namespace {
 
-constexpr GlobalIndex format_version = 1;
+constexpr GlobalIndex format_version = 2;
 
 std::uint64_t mixed(std::uint64_t x) {  // splitmix64: every bit of x moves every bit of the result
   x += 0x9e3779b97f4a7c15U;

@@ -1,5 +1,7 @@
 #pragma once
 // Small kernels whose residual and tangent are known.
+#include <algorithm>
+
 #include "hawser/physics/element_kernel.hpp"
 #include "hawser/physics/moving_point_kernel.hpp"
 
@@ -72,6 +74,62 @@ class SpringKernel : public ElementKernel<SpringKernel> {
       out[at.index(0, 0, i)] -= pull;
       out[at.index(0, 1, i)] += pull;
     }
+  }
+};
+
+/// A flux that relaxes: grad T less r, which creeps after it by dr/dt = (grad T - r)/tau, tau = 2 s
+/// (implicit Euler).
+class CreepKernel : public MovingPointKernel<CreepKernel> {
+ public:
+  static constexpr int dimension = 2;
+  static constexpr int memory = 2;
+  static constexpr std::array<FieldUse, 2> uses = {
+      temperature.as(Role::adds, need::value | need::gradient),
+      StandardFields<2>::displacement.as(Role::reads_if_solved, need::gradient)};
+  static constexpr Slot<0> field{};
+  static constexpr Slot<1> displacement{};
+  explicit CreepKernel(Domain domain = "body") : MovingPointKernel(std::move(domain)) {}
+
+  template <class Point, class Form>
+  void moved_form(const Point& at, Form& out) const {
+    for (int i = 0; i < 2; ++i)
+      out[field].flux[i] = at[field].gradient[i] - crept(at, i);
+  }
+  template <class Point>
+  void moved_advance(const Point& at, double* next) const {
+    for (int i = 0; i < 2; ++i)
+      next[i] = crept(at, i);
+  }
+
+ private:
+  template <class Point>
+  static auto crept(const Point& at, int i) {
+    const double share = at.elapsed / (at.elapsed + 2);
+    using T = typename Point::Number;
+    return T(at.memory[i] + share * (at[field].gradient[i] - at.memory[i]));
+  }
+};
+
+/// A spring whose rest length yields: what it remembers is how far.
+class YieldingSpringKernel : public ElementKernel<YieldingSpringKernel> {
+ public:
+  static constexpr int dimension = 2;
+  static constexpr int memory = 1;
+  static constexpr CellShape shape = CellShape::line;
+  static constexpr int node_count = 2;
+  static constexpr std::array<FieldUse, 1> uses = {
+      StandardFields<2>::displacement.as(Role::governs, need::value)};
+  YieldingSpringKernel() : ElementKernel("line") {}
+
+  template <class Element, class T>
+  void element_residual(const Element& at, T* out) const {
+    const T pull = at.value(0, 1, 0) - at.value(0, 0, 0) - at.memory(0);
+    out[at.index(0, 0, 0)] -= pull;
+    out[at.index(0, 1, 0)] += pull;
+  }
+  template <class Element>
+  void advance(const Element& at, double* next) const {
+    next[0] = std::max(at.memory(0), at.value(0, 1, 0) - at.value(0, 0, 0) - 0.25);
   }
 };
 

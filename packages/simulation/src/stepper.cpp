@@ -38,6 +38,7 @@ void Stepper::build(const std::string& mesh_file) {
   if (checkpoint == nullptr) return;
   const CheckpointHeader& header = checkpoint->header();
   system_->integrator->resume(load_history(*system_->dofs, *checkpoint));
+  load_memories(system_->mesh, *checkpoint, system_->assembler->memories());
   control_->resume(header.numbers.at("control_step_s"),
                    static_cast<int>(header.numbers.at("control_successes")));
   system_->reports->resume(header);
@@ -206,7 +207,8 @@ void Stepper::save(const std::string& checkpoint) {
   header.texts["provenance"] = provenance.object("provenance").json();
   // A mesh beside the checkpoint is named without its folder, so that both can be moved.
   header.texts["mesh"] = (mesh.parent_path() == folder ? mesh.filename() : mesh).string();
-  save_history(*system_->dofs, system_->integrator->history(), header, checkpoint);
+  save_history(*system_->dofs, system_->integrator->history(), system_->assembler->memories(),
+               header, checkpoint);
   system_->driver->forget();
 }
 

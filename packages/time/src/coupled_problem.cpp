@@ -24,6 +24,7 @@ void CoupledProblem::start() {
 }
 
 void CoupledProblem::begin_step(double step) {
+  assembler_.begin_step();
   integrator_.begin_step(step, state_);
   prescribe();
   level_with_prescribed();

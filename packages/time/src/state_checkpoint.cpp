@@ -6,6 +6,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/deck/value.hpp"
+#include "src/memory_checkpoint.hpp"
 
 namespace hawser {
 namespace {
@@ -140,7 +141,8 @@ std::set<std::string> names_of_fields(const CheckpointReader& reader) {
 
 }  // namespace
 
-void save_history(const DofMap& dofs, const TimeHistory& history, CheckpointHeader header,
+void save_history(const DofMap& dofs, const TimeHistory& history,
+                  const std::vector<CellMemory*>& memories, CheckpointHeader header,
                   const std::string& path) {
   std::vector<NamedArray> arrays;
   visit_arrays(dofs, dofs.owned(),
@@ -150,9 +152,12 @@ void save_history(const DofMap& dofs, const TimeHistory& history, CheckpointHead
                  arrays.back().name = name;
                });
   arrays.push_back(positions(dofs.mesh()));
+  for (const CellMemory* const memory : memories)
+    arrays.push_back(memory_array(dofs.mesh(), *memory));
   header.time = history.time;
   header.numbers["history_step_s"] = history.step;
   header.numbers["history_earlier_step_s"] = history.earlier_step;
+  header.numbers["history_instant_s"] = history.instant;
   write_checkpoint(dofs.mesh().communicator, path, header, arrays);
 }
 
@@ -161,6 +166,7 @@ TimeHistory load_history(const DofMap& dofs, const CheckpointReader& reader) {
   history.time = reader.header().time;
   history.step = reader.header().numbers.at("history_step_s");
   history.earlier_step = reader.header().numbers.at("history_earlier_step_s");
+  history.instant = reader.header().numbers.at("history_instant_s");
   for (const Part& part : parts)
     (history.*part.values).assign(static_cast<std::size_t>(dofs.rows()), 0);
   visit_arrays(dofs, dofs.rows(),

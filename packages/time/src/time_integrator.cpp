@@ -23,7 +23,10 @@ TimeIntegrator::TimeIntegrator(const Assembler& assembler, const std::vector<Rat
 }
 
 void TimeIntegrator::start(const State& initial) {
-  history_ = {initial.time, 0, 0, initial.value, initial.rate, initial.rate, initial.rate};
+  history_ = {};
+  history_.time = history_.instant = initial.time;
+  history_.value = initial.value;
+  history_.rate = history_.quotient = history_.earlier_rate = initial.rate;
 }
 
 void TimeIntegrator::resume(TimeHistory history) { history_ = std::move(history); }
@@ -35,6 +38,7 @@ void TimeIntegrator::begin_step(double step, State& state) {
   present_ = scheme_.coefficients(step, history_.step);
   state.step = steady ? std::numeric_limits<double>::infinity() : step;
   state.time = history_.time + present_.alpha_f * step;
+  state.elapsed = steady ? state.step : state.time - history_.instant;
   state.accepted = history_.value;
   state.value = history_.value;
   state.rate.assign(rows, 0);
@@ -121,6 +125,7 @@ void TimeIntegrator::accept(const State& state) {
       history_.quotient[row] =
           scheme_.steady() ? 0 : (end.value[row] - history_.value[row]) / step_;
   history_.time = end.time;
+  history_.instant = state.time;
   history_.earlier_step = history_.step;
   history_.step = step_;
   history_.value = std::move(end.value);

@@ -59,7 +59,7 @@ TEST(CoupledProblem, HoldsPrescribedValuesAtTheInstantAndAtTheEnd) {
   scheme.method = TimeScheme::Method::generalised_alpha;
   scheme.euler_start = false;
   Sample sample(scheme);
-  const double alpha_f = scheme.coefficients().alpha_f;
+  const double alpha_f = scheme.coefficients(0.5, 0).alpha_f;
   sample.problem.begin_step(0.5);
   sample.problem.finish_step(*sample.problem.guess());
   for (const LocalIndex row : sample.held()) {
@@ -101,6 +101,82 @@ TEST(CoupledProblem, ConditionsReplaceRowsOfTheResidual) {
     EXPECT_GE(assembled, load);
     EXPECT_EQ(residual[static_cast<LocalIndex>(row)], is_held[row] ? 0 : assembled);
   }
+}
+
+/// Water whose cells remember, beside the load.
+struct RememberingSample {
+  Mesh mesh = sample_mesh();
+  std::vector<PhysicsModule> modules = make_modules();
+  FieldTable table = gather_fields(modules);
+  DofMap dofs{mesh, table.fields};
+  Assembler assembler{dofs, modules};
+  Diagnostics diagnostics;
+  Conditions conditions{
+      assembler,
+      table.rate_rules,
+      conditions_of(R"(<prescribe field="velocity" on="water" value="x + t; y"/>)"),
+      {},
+      diagnostics};
+  TimeIntegrator integrator;
+  CoupledProblem problem{assembler, integrator, conditions};
+
+  explicit RememberingSample(const TimeScheme& scheme = {})
+      : integrator(assembler, table.rate_rules, scheme) {
+    diagnostics.throw_if_any();
+    conditions.set_initial(problem.state());
+    problem.start();
+  }
+  static std::vector<PhysicsModule> make_modules() {
+    std::vector<PhysicsModule> result;
+    result.push_back(module_with(
+        "flow", std::make_unique<RememberingKernel>("water", CellShape::triangle,
+                                                    std::vector<FieldUse>{velocity(Role::adds)})));
+    return result;
+  }
+  const CellMemory& memory() { return *assembler.memories()[0]; }
+  void make_step(double step) {
+    problem.begin_step(step);
+    problem.finish_step(*problem.guess());
+  }
+};
+
+TEST(CoupledProblem, CellsRememberAcceptedStepsAlone) {
+  RememberingSample sample;
+  sample.make_step(2);
+  sample.make_step(1);  // the one of 2 s was rejected
+  for (const double value : sample.memory().next)
+    EXPECT_EQ(value, 0);
+  sample.problem.accept();
+  for (const double value : sample.memory().accepted)
+    EXPECT_EQ(value, 0) << "what is evaluated after a step sees what its equations saw";
+  const std::vector<double> after = sample.memory().next;
+  for (std::size_t cell = 0; 2 * cell < after.size(); ++cell) {
+    EXPECT_EQ(after[2 * cell], 1);
+    double sum = 0;  // of the values at its three nodes: x + t and y
+    for (std::size_t v = 0; v < 3; ++v) {
+      const auto vertex = static_cast<std::size_t>(sample.memory().region->vertices[3 * cell + v]);
+      sum += sample.mesh.coordinates[2 * vertex] + 1 + sample.mesh.coordinates[2 * vertex + 1];
+    }
+    EXPECT_NEAR(after[2 * cell + 1], sum, 1e-14);
+  }
+  sample.make_step(4);  // rejected
+  sample.make_step(0.5);
+  EXPECT_EQ(sample.memory().accepted, after);
+  sample.problem.accept();
+  EXPECT_EQ(sample.memory().next[0], 1.5);
+}
+
+// Time goes by from one instant of the equations to the next.
+TEST(CoupledProblem, WhatIsRememberedStandsAtTheInstantOfTheEquations) {
+  TimeScheme scheme;
+  scheme.method = TimeScheme::Method::generalised_alpha;
+  RememberingSample sample(scheme);
+  for (int step = 0; step < 3; ++step) {
+    sample.make_step(0.5);
+    sample.problem.accept();
+    EXPECT_NEAR(sample.memory().next[0], sample.problem.state().time, 1e-14);
+  }
+  EXPECT_LT(sample.problem.state().time, 1.5);
 }
 
 }  // namespace

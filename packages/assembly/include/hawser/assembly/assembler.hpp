@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hawser/algebra/block_system.hpp"
+#include "hawser/assembly/cell_memory.hpp"
 #include "hawser/assembly/governance.hpp"
 #include "hawser/fields/state.hpp"
 
@@ -53,6 +54,14 @@ class Assembler {
     std::vector<double> values;
   };
   std::vector<CellValues> cell_quantities(const Region& region, const State& state) const;
+
+  /// From here on, residuals read what the last accepted step left.
+  void begin_step();
+  /// What the cells will remember of `state`, in which a step was accepted; read from the next
+  /// begin_step() on.
+  void remember(const State& state);
+  /// Of all kernels whose cells remember something; valid as long as the assembler.
+  std::vector<CellMemory*> memories();
 
   // Rows of the matrix, for conditions: local columns ascending.
   double* row_values(LocalIndex row);

@@ -7,8 +7,10 @@
 namespace hawser {
 
 struct State {
-  double time = 0;               ///< s
-  double step = 0;               ///< s; the step that led here; infinite in a steady solve
+  double time = 0;  ///< s
+  double step = 0;  ///< s; the step that led here; infinite in a steady solve
+  /// s, from the instant of the last accepted equations to `time`; infinite in a steady solve.
+  double elapsed = 0;
   std::vector<double> value;     ///< per local row
   std::vector<double> rate;      ///< d/dt at fixed reference point; 0 for fields without a rate
   std::vector<double> accepted;  ///< values at the last accepted step

@@ -2,6 +2,7 @@
 // A line, boundary or structural term, written per element in its nodal unknowns.
 #include <Sacado.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -15,10 +16,17 @@ namespace hawser {
 ///               line's) static constexpr int node_count;    (of a cell: vertices) static constexpr
 ///               std::array<FieldUse, n> uses;   (each has a node per vertex) template <class
 ///               Element, class T> void element_residual(const Element& at, T* out) const;
+/// One whose cells remember something hides
+///               static constexpr int memory;   doubles per cell
+/// reads at.memory(i) and has
+///               template <class Element> void advance(const Element& at, double* next) const;
+/// which is evaluated with doubles on acceptance (Kernel::advance_memory).
 /// `out` is zeroed and ordered like the cell's unknowns: out[at.index(field, node, component)].
 template <class Derived>
 class ElementKernel : public Kernel {
  public:
+  static constexpr int memory = 0;
+
   explicit ElementKernel(Domain domain)
       : Kernel(std::move(domain), {Derived::uses.begin(), Derived::uses.end()}) {}
 
@@ -28,12 +36,8 @@ class ElementKernel : public Kernel {
   int nodes(std::size_t /*field*/) const override { return Derived::node_count; }
 
   CellStatus residual(const CellInput& cell, double* residual) const override {
-    Element<double> at(cell);
-    for (int i = 0; i < unknowns(); ++i) {
-      at.values[i] = at.nodal(i, &FieldOnCell::value);
-      at.rates[i] = at.nodal(i, &FieldOnCell::rate);
-      residual[i] = 0;
-    }
+    const Element<double> at = plain(cell);
+    std::fill(residual, residual + unknowns(), 0.0);
     static_cast<const Derived&>(*this).element_residual(at, residual);
     return status(residual);
   }
@@ -63,6 +67,12 @@ class ElementKernel : public Kernel {
         tangent[i * n + j] = out[i].dx(j);
     }
     return status(residual);
+  }
+
+  int memory_per_cell() const override { return Derived::memory; }
+  void advance_memory(const CellInput& cell, double* next) const override {
+    if constexpr (Derived::memory > 0)
+      static_cast<const Derived&>(*this).advance(plain(cell), next);
   }
 
   static constexpr int first(int field) {
@@ -101,12 +111,23 @@ class ElementKernel : public Kernel {
     const T& rate(int field, int node, int component) const {
       return rates[index(field, node, component)];
     }
-    double time() const { return cell->time; }  ///< s
+    double time() const { return cell->time; }              ///< s
+    double elapsed() const { return cell->elapsed; }        ///< s, since the instant of the memory
+    double memory(int i) const { return cell->memory[i]; }  ///< of the last accepted step
     /// Reference coordinate, m.
     double coordinate(int node, int component) const {
       return cell->coordinates[node * Derived::dimension + component];
     }
   };
+
+  static Element<double> plain(const CellInput& cell) {
+    Element<double> at(cell);
+    for (int i = 0; i < unknowns(); ++i) {
+      at.values[i] = at.nodal(i, &FieldOnCell::value);
+      at.rates[i] = at.nodal(i, &FieldOnCell::rate);
+    }
+    return at;
+  }
 
   static CellStatus status(const double* residual) {
     double sum = 0;

@@ -29,6 +29,10 @@ struct CellInput {
   double step = 0;                      ///< s; infinite in a steady solve
   const double* coordinates = nullptr;  ///< reference coordinates [vertex][dimension], m
   const FieldOnCell* fields = nullptr;  ///< in the order of Kernel::fields()
+  const double* memory = nullptr;       ///< what the cell remembers of the last accepted step
+  /// s, from the instant of what is remembered, at which that step's equations were formed, to
+  /// `time`; infinite in a steady solve.
+  double elapsed = 0;
 };
 
 enum class CellStatus {
@@ -66,6 +70,14 @@ class Kernel {
   /// Also the tangent [n][n], row by row, d residual_i / d unknown_j with all rates following their
   /// values. Overwrites.
   virtual CellStatus tangent(const CellInput& cell, double* residual, double* tangent) const = 0;
+
+  /// How many doubles each cell remembers from one accepted step to the next, such as a plastic
+  /// strain at every quadrature point. They are kept for the kernel, written to checkpoints and
+  /// untouched by a step that is rejected. At the start of a run they are zero.
+  virtual int memory_per_cell() const { return 0; }
+  /// What is to be remembered of an accepted step, `next`, from its state and what was remembered
+  /// before, cell.memory. Evaluated once per step and cell, on every rank that holds the cell.
+  virtual void advance_memory(const CellInput& /*cell*/, double* /*next*/) const {}
 
   /// What else the cell can tell for output, such as a tension; evaluate() gives one value for
   /// each.

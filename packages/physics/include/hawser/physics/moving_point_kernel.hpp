@@ -42,7 +42,8 @@ class MovedPoint<Point, Frame, Displacement, std::index_sequence<I...>> {
 
   const Point& reference;  ///< the same in the reference configuration
   const Frame& frame;
-  const double time, step;                    ///< s
+  const double time, step, elapsed;           ///< s
+  const double* const memory;                 ///< of the last accepted step
   const Vector<double, dimension>& position;  ///< reference coordinates X, m
 
   MovedPoint(const Point& point, const Frame& moved)
@@ -50,6 +51,8 @@ class MovedPoint<Point, Frame, Displacement, std::index_sequence<I...>> {
         frame(moved),
         time(point.time),
         step(point.step),
+        elapsed(point.elapsed),
+        memory(point.memory),
         position(point.position),
         gradients_(spatial_gradient<I, Displacement>(point, moved)...) {}
 
@@ -79,7 +82,9 @@ class MovedPoint<Point, Frame, Displacement, std::index_sequence<I...>> {
 ///   static constexpr Slot<i> displacement{};   the field that moves the mesh; it needs its
 ///   gradient template <class Point, class Form> void moved_form(const Point& at, Form& out) const;
 /// `at[field].gradient` is spatial, `out[field].source` per moved volume, `out[field].flux` per
-/// moved area. A Derived that stands in another configuration than the present one hides frame().
+/// moved area. What a Derived with `memory` remembers is given by
+///   template <class Point> void moved_advance(const Point& at, double* next) const;
+/// A Derived that stands in another configuration than the present one hides frame().
 template <class Derived>
 class MovingPointKernel : public PointKernel<Derived> {
  public:
@@ -99,12 +104,8 @@ class MovingPointKernel : public PointKernel<Derived> {
     const auto frame = self.frame(reference);
     out.inverted = frame.inverted();
     if (out.inverted) return;
-    using Indices = std::make_index_sequence<Derived::uses.size()>;
-    self.moved_form(
-        detail::MovedPoint<Point, std::decay_t<decltype(frame)>,
-                           decltype(Derived::displacement)::value, Indices>(reference, frame),
-        out);
-    detail::for_each_index(Indices{}, [&](auto index) {
+    self.moved_form(moved(reference, frame), out);
+    detail::for_each_index(std::make_index_sequence<Derived::uses.size()>{}, [&](auto index) {
       if constexpr (has_rows(Derived::uses[index].role)) {
         auto& form = std::get<index>(out.fields);
         for (int c = 0; c < Derived::uses[index].components; ++c) {
@@ -114,6 +115,21 @@ class MovingPointKernel : public PointKernel<Derived> {
         form.flux = frame.pull_back(form.flux);
       }
     });
+  }
+
+  template <class Point>
+  void advance(const Point& reference, double* next) const {
+    const auto& self = static_cast<const Derived&>(*this);
+    const auto frame = self.frame(reference);
+    self.moved_advance(moved(reference, frame), next);
+  }
+
+ private:
+  template <class Point, class Frame>
+  static auto moved(const Point& reference, const Frame& frame) {
+    using Indices = std::make_index_sequence<Derived::uses.size()>;
+    return detail::MovedPoint<Point, Frame, decltype(Derived::displacement)::value, Indices>(
+        reference, frame);
   }
 };
 

@@ -65,9 +65,16 @@ struct FormAtPoint {
 ///               template <class Point, class Form> void weak_form(const Point& at, Form& out)
 ///               const;
 /// `typename Point::Number` is the number type; set out.inverted when det F <= 0.
+/// One that remembers something at each quadrature point hides
+///               static constexpr int memory;   doubles per point
+/// reads at.memory[i] and has
+///               template <class Point> void advance(const Point& at, double* next) const;
+/// which is evaluated with doubles on acceptance (Kernel::advance_memory).
 template <class Derived>
 class PointKernel : public Kernel {
  public:
+  static constexpr int memory = 0;
+
   explicit PointKernel(Domain domain)
       : Kernel(std::move(domain), {Derived::uses.begin(), Derived::uses.end()}) {}
 
@@ -89,6 +96,9 @@ class PointKernel : public Kernel {
   CellStatus tangent(const CellInput& cell, double* residual, double* tangent) const override {
     return evaluate<Sacado::Fad::SFad<double, directions()>>(cell, residual, tangent);
   }
+
+  int memory_per_cell() const override { return table_.rule.points * Derived::memory; }
+  void advance_memory(const CellInput& cell, double* next) const override;
 
   /// Derivative directions of one field: its value, rate and gradient, as far as they are looked
   /// at.
@@ -114,6 +124,8 @@ class PointKernel : public Kernel {
     std::tuple<FieldAtPoint<T, Derived::uses[I].components, Derived::dimension>...> fields;
     double time = 0;
     double step = 0;
+    double elapsed = 0;              ///< s, since the instant of what is remembered
+    const double* memory = nullptr;  ///< [Derived::memory], of the last accepted step
     template <int S>
     const auto& operator[](Slot<S>) const {
       return std::get<S>(fields);
@@ -131,6 +143,12 @@ class PointKernel : public Kernel {
     }
   };
 
+  template <class At>
+  void enter(const CellInput& cell, At& at) const;
+  /// Values, rates and gradients of every field at point q, each an independent variable, and the
+  /// gradients of the shapes.
+  template <class At, class Gradients>
+  void go_to(int q, const CellInput& cell, At& at, Gradients& gradients) const;
   template <class T>
   CellStatus evaluate(const CellInput& cell, double* residual, double* tangent) const;
 

@@ -21,6 +21,10 @@ T& gradient_entry(Tensor<T, D>& gradient, int component, int k) {
   return gradient(component, k);
 }
 
+/// Of every field's shapes at a point: [field][node][dimension], 1/m.
+template <class Derived>
+using ShapeGradients = double[Derived::uses.size()][max_nodes][Derived::dimension];
+
 template <class T>
 struct Number {
   static T independent(int direction, double value) { return T(T().size(), direction, value); }
@@ -40,6 +44,81 @@ void for_each_index(std::index_sequence<I...> /*indices*/, F&& f) {
 }  // namespace detail
 
 template <class Derived>
+template <class At>
+void PointKernel<Derived>::enter(const CellInput& cell, At& at) const {
+  at.time = cell.time;
+  at.step = cell.step;
+  at.elapsed = cell.elapsed;
+  at.CellGeometry<Derived::dimension>::enter(table_, cell.coordinates);
+}
+
+template <class Derived>
+template <class At, class Gradients>
+void PointKernel<Derived>::go_to(int q, const CellInput& cell, At& at, Gradients& gradients) const {
+  constexpr int D = Derived::dimension;
+  using Indices = std::make_index_sequence<Derived::uses.size()>;
+  using Num = detail::Number<typename At::Number>;
+  at.CellGeometry<D>::go_to(q, table_, cell.coordinates);
+  at.memory = cell.memory + q * Derived::memory;
+  int direction = 0;
+  detail::for_each_index(Indices{}, [&](auto index) {
+    constexpr std::size_t f = index;
+    constexpr int components = Derived::uses[f].components;
+    constexpr unsigned needs = Derived::uses[f].needs;
+    const Tabulation& shape = table_.fields[f];
+    const double* const N = &shape.values[q * shape.nodes];
+    const double* const local = &shape.gradients[q * shape.nodes * D];
+    for (int a = 0; a < shape.nodes; ++a)
+      for (int j = 0; j < D; ++j) {
+        double sum = 0;
+        for (int k = 0; k < D; ++k)
+          sum += local[a * D + k] * at.inverse_jacobian(k, j);
+        gradients[f][a][j] = sum;
+      }
+    const auto interpolate = [&](const double* nodal, int c) {
+      double sum = 0;
+      for (int a = 0; a < shape.nodes; ++a)
+        sum += N[a] * nodal[a * components + c];
+      return sum;
+    };
+    const auto slope = [&](const double* nodal, int c, int j) {
+      double sum = 0;
+      for (int a = 0; a < shape.nodes; ++a)
+        sum += gradients[f][a][j] * nodal[a * components + c];
+      return sum;
+    };
+    auto& field = std::get<f>(at.fields);
+    const FieldOnCell& nodal = cell.fields[f];
+    for (int c = 0; c < components; ++c) {
+      if constexpr ((needs & need::value) != 0)
+        detail::entry(field.value, c) = Num::independent(direction++, interpolate(nodal.value, c));
+      if constexpr ((needs & need::rate) != 0)
+        detail::entry(field.rate, c) = Num::independent(direction++, interpolate(nodal.rate, c));
+      if constexpr ((needs & need::gradient) != 0)
+        for (int j = 0; j < D; ++j)
+          detail::gradient_entry(field.gradient, c, j) =
+              Num::independent(direction++, slope(nodal.value, c, j));
+      if constexpr ((needs & need::accepted) != 0)
+        for (int j = 0; j < D; ++j)
+          detail::gradient_entry(field.accepted_gradient, c, j) = slope(nodal.accepted, c, j);
+    }
+  });
+}
+
+template <class Derived>
+void PointKernel<Derived>::advance_memory(const CellInput& cell, double* next) const {
+  if constexpr (Derived::memory > 0) {
+    PointOf<double, std::make_index_sequence<Derived::uses.size()>> at;
+    detail::ShapeGradients<Derived> gradients;
+    enter(cell, at);
+    for (int q = 0; q < table_.rule.points; ++q) {
+      go_to(q, cell, at, gradients);
+      static_cast<const Derived&>(*this).advance(at, next + q * Derived::memory);
+    }
+  }
+}
+
+template <class Derived>
 template <class T>
 CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, double* residual,
                                           double* tangent) const {
@@ -56,61 +135,13 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, double* residua
   if (tangent != nullptr) std::fill(tangent, tangent + n * n, 0.0);
 
   PointOf<T, Indices> at;
-  at.time = cell.time;
-  at.step = cell.step;
-  at.enter(table_, cell.coordinates);
+  enter(cell, at);
 
   const Quadrature& rule = table_.rule;
-  double gradients[field_count][detail::max_nodes][D];
+  detail::ShapeGradients<Derived> gradients;
   for (int q = 0; q < rule.points; ++q) {
-    at.go_to(q, table_, cell.coordinates);
+    go_to(q, cell, at, gradients);
     const double weight = rule.weights[q] * at.determinant;
-    int direction = 0;
-
-    // Values, rates and gradients of every field at this point, each an independent variable.
-    detail::for_each_index(Indices{}, [&](auto index) {
-      constexpr std::size_t f = index;
-      constexpr int components = Derived::uses[f].components;
-      constexpr unsigned needs = Derived::uses[f].needs;
-      const Tabulation& shape = table_.fields[f];
-      const double* const N = &shape.values[q * shape.nodes];
-      const double* const local = &shape.gradients[q * shape.nodes * D];
-      for (int a = 0; a < shape.nodes; ++a)
-        for (int j = 0; j < D; ++j) {
-          double sum = 0;
-          for (int k = 0; k < D; ++k)
-            sum += local[a * D + k] * at.inverse_jacobian(k, j);
-          gradients[f][a][j] = sum;
-        }
-      const auto interpolate = [&](const double* nodal, int c) {
-        double sum = 0;
-        for (int a = 0; a < shape.nodes; ++a)
-          sum += N[a] * nodal[a * components + c];
-        return sum;
-      };
-      const auto slope = [&](const double* nodal, int c, int j) {
-        double sum = 0;
-        for (int a = 0; a < shape.nodes; ++a)
-          sum += gradients[f][a][j] * nodal[a * components + c];
-        return sum;
-      };
-      auto& field = std::get<f>(at.fields);
-      const FieldOnCell& nodal = cell.fields[f];
-      for (int c = 0; c < components; ++c) {
-        if constexpr ((needs & need::value) != 0)
-          detail::entry(field.value, c) =
-              Num::independent(direction++, interpolate(nodal.value, c));
-        if constexpr ((needs & need::rate) != 0)
-          detail::entry(field.rate, c) = Num::independent(direction++, interpolate(nodal.rate, c));
-        if constexpr ((needs & need::gradient) != 0)
-          for (int j = 0; j < D; ++j)
-            detail::gradient_entry(field.gradient, c, j) =
-                Num::independent(direction++, slope(nodal.value, c, j));
-        if constexpr ((needs & need::accepted) != 0)
-          for (int j = 0; j < D; ++j)
-            detail::gradient_entry(field.accepted_gradient, c, j) = slope(nodal.accepted, c, j);
-      }
-    });
 
     FormOf<T, Indices> out;
     static_cast<const Derived&>(*this).weak_form(at, out);

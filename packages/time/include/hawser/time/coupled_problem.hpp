@@ -22,7 +22,11 @@ class CoupledProblem : public NonlinearProblem {
   std::shared_ptr<TpetraVector> guess() const;
   /// Makes x the state and evaluates the balances there, so that reactions() belongs to it.
   void finish_step(const TpetraVector& x);
-  void accept() { integrator_.accept(state_); }
+  /// The step becomes the past. What cells remember of it is read from the next step on.
+  void accept() {
+    assembler_.remember(state_);
+    integrator_.accept(state_);
+  }
 
   BlockSystem& system() override { return assembler_.system(); }
   void residual(const TpetraVector& x, TpetraVector& f, TpetraVector& magnitude) override;

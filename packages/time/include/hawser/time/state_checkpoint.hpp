@@ -1,7 +1,10 @@
 #pragma once
-// The time history as arrays by rank-independent numbers, and back on any number of ranks.
+// The time history and what cells remember as arrays by rank-independent numbers, and back on any
+// number of ranks.
 #include <string>
+#include <vector>
 
+#include "hawser/assembly/cell_memory.hpp"
 #include "hawser/fields/dof_map.hpp"
 #include "hawser/output/checkpoint.hpp"
 #include "hawser/time/time_integrator.hpp"
@@ -9,10 +12,14 @@
 namespace hawser {
 
 /// Collective; OutputError on all ranks.
-void save_history(const DofMap& dofs, const TimeHistory& history, CheckpointHeader header,
+void save_history(const DofMap& dofs, const TimeHistory& history,
+                  const std::vector<CellMemory*>& memories, CheckpointHeader header,
                   const std::string& path);
 /// OutputError when the checkpoint belongs to another mesh or other modules.
 TimeHistory load_history(const DofMap& dofs, const CheckpointReader& reader);
+/// The same for what cells remember.
+void load_memories(const Mesh& mesh, const CheckpointReader& reader,
+                   const std::vector<CellMemory*>& memories);
 
 /// What another run's checkpoint has of this one's fields.
 struct TakenFields {

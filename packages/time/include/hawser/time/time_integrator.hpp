@@ -31,6 +31,7 @@ struct TimeHistory {
   double time = 0;            ///< s, of the last accepted step
   double step = 0;            ///< s, its length; 0 at the start
   double earlier_step = 0;    ///< s, of the step before; 0 when there was none
+  double instant = 0;         ///< s, at which the last step's equations were formed
   std::vector<double> value;  ///< per local row
   std::vector<double> rate;
   std::vector<double> quotient;      ///< (u_n - u_{n-1})/dt_n; at the start the rate
