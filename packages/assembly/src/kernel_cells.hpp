@@ -20,6 +20,9 @@ struct KernelCells {
   std::vector<char> adds;  ///< [cell][unknown]: 1 when owned and the kernel adds to or governs it
   std::vector<int> positions;  ///< [cell][unknown][unknown]: place in the matrix; -1 when dropped
 
+  /// [cell]: 1 where the branch of the accepted state is held; empty when the law does not switch.
+  std::vector<char> held;
+
   int unknowns() const { return first.back(); }
 };
 

@@ -59,7 +59,7 @@ TEST(CoupledProblem, HoldsPrescribedValuesAtTheInstantAndAtTheEnd) {
   scheme.method = TimeScheme::Method::generalised_alpha;
   scheme.euler_start = false;
   Sample sample(scheme);
-  const double alpha_f = scheme.coefficients().alpha_f;
+  const double alpha_f = scheme.coefficients(0.5, 0).alpha_f;
   sample.problem.begin_step(0.5);
   sample.problem.finish_step(*sample.problem.guess());
   for (const LocalIndex row : sample.held()) {
