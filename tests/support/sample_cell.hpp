@@ -11,13 +11,19 @@
 
 namespace hawser {
 
-/// One cell in an admissible state, with something to remember. Rates follow values: rate = slope
-/// value + partner v + rest.
+/// One cell in an admissible state, with something to remember, at the end of a step or within it, its
+/// law on its own branch or on one that is held. Rates follow values: rate = slope value + partner v
+/// + rest.
 class SampleCell {
  public:
   /// Of a kernel that is bound; `coordinates` are [vertex][dimension], m.
   SampleCell(const Kernel& kernel, std::vector<double> coordinates, unsigned seed)
-      : kernel_(kernel), random_(seed), coordinates_(std::move(coordinates)) {
+      : kernel_(kernel),
+        random_(seed),
+        coordinates_(std::move(coordinates)),
+        share_(seed % 2 == 0 ? 1 : 0.5 + 0.05 * (seed % 10)),
+        bounds_energy_(seed % 3 != 0),
+        held_(seed % 5 == 0) {
     first_.push_back(0);
     for (std::size_t f = 0; f < kernel.fields().size(); ++f)
       first_.push_back(first_.back() + kernel.fields()[f].components * kernel.nodes(f));
@@ -79,13 +85,16 @@ class SampleCell {
       const std::size_t n = at(first_[f]);
       fields_.push_back({&current_[n], &rate_[n], &accepted_[n], &slope_[n], &partner_[n]});
     }
-    input_ = {0, 0.1, coordinates_.data(), fields_.data(), memory_.data(), 0.1};
+    input_ = {0,   0.1,    coordinates_.data(), fields_.data(), memory_.data(),
+              0.1, share_, bounds_energy_,      held_};
     return input_;
   }
 
   const Kernel& kernel_;
   std::mt19937 random_;
   std::vector<double> coordinates_;
+  double share_;
+  bool bounds_energy_, held_;
   std::vector<int> first_;
   std::vector<double> amplitude_, value_, accepted_, rest_, slope_, partner_, memory_;
   std::vector<double> current_, rate_;

@@ -10,8 +10,10 @@
 
 #include "hawser/base/error.hpp"
 #include "src/cell_failure.hpp"
+#include "src/energy_sums.hpp"
 #include "src/named_blocks.hpp"
 #include "src/sparsity.hpp"
+#include "src/switches.hpp"
 
 namespace hawser {
 struct Assembler::Implementation {
@@ -22,6 +24,7 @@ struct Assembler::Implementation {
   Teuchos::RCP<const Tpetra::Import<>> ghosts;
   double* matrix_values = nullptr;
   std::vector<KinematicPair> pairs;
+  EnergySums energy;
 
   Implementation(const DofMap& map, const std::vector<PhysicsModule>& modules)
       : dofs(&map), system{map.mesh().communicator, {}, {}, {}, {}} {
@@ -40,6 +43,7 @@ struct Assembler::Implementation {
       find_positions(sparsity, cells);
     make_matrix();
     system.blocks = name_blocks(map, governance, kernels);
+    energy = EnergySums(kernels);
     for (std::size_t k = 0; k < kernels.size(); ++k)
       make_memory(kernels[k], modules[static_cast<std::size_t>(kernels[k].module)].name + "-" +
                                   std::to_string(k));
@@ -175,6 +179,14 @@ void Assembler::add_up(const State& state, int module, std::vector<double>& tota
   failure.throw_together(dofs.mesh(), state);
 }
 
+void Assembler::hold_switches() { hawser::hold_switches(implementation_->kernels); }
+bool Assembler::release_wrong_switches(const State& state) {
+  return hawser::release_wrong_switches(implementation_->kernels, dofs().mesh(), state);
+}
+bool Assembler::release_switches() {
+  return hawser::release_switches(implementation_->kernels, dofs().mesh().communicator);
+}
+
 void Assembler::tangent(const State& state) {
   const DofMap& dofs = *implementation_->dofs;
   double* const values = implementation_->matrix_values;
@@ -241,6 +253,18 @@ std::vector<CellMemory*> Assembler::memories() {
   for (KernelCells& cells : implementation_->kernels)
     if (cells.memory.per_cell > 0) result.push_back(&cells.memory);
   return result;
+}
+
+const std::vector<EnergyTerm>& Assembler::energy_terms() const {
+  return implementation_->energy.terms();
+}
+std::vector<double> Assembler::powers(const State& state) const {
+  return implementation_->energy.sum(implementation_->kernels, dofs().mesh(), state,
+                                     &Kernel::powers);
+}
+std::vector<double> Assembler::energies(const State& state) const {
+  return implementation_->energy.sum(implementation_->kernels, dofs().mesh(), state,
+                                     &Kernel::energies);
 }
 
 double* Assembler::row_values(LocalIndex row) {

@@ -67,6 +67,7 @@ KernelCells resolve(const DofMap& dofs, const Governance& governance, const Phys
                         use.follows + "' too, which is that rate on structures");
   }
   cells.first.push_back(unknowns);
+  if (kernel.switches()) cells.held.assign(static_cast<std::size_t>(region.size()), 0);
 
   std::vector<LocalIndex> first_rows;
   for (LocalIndex cell = 0; cell < region.size(); ++cell)
@@ -114,11 +115,20 @@ CellGatherer::CellGatherer(const KernelCells& cells, const Mesh& mesh, const Sta
     fields_.push_back(
         {&value_[first], &rate_[first], &accepted_[first], &slope_[first], &partner_[first]});
   }
-  input_ = {state.time, state.step, coordinates_.data(), fields_.data(), nullptr, state.elapsed};
+  input_ = {state.time,
+            state.step,
+            coordinates_.data(),
+            fields_.data(),
+            nullptr,
+            state.elapsed,
+            state.share,
+            state.bounds_energy,
+            false};
 }
 
 const CellInput& CellGatherer::gather(LocalIndex cell) {
   const std::size_t n = value_.size();
+  if (!cells_.held.empty()) input_.held = cells_.held[static_cast<std::size_t>(cell)] != 0;
   const LocalIndex* const rows = &cells_.rows[static_cast<std::size_t>(cell) * n];
   for (std::size_t i = 0; i < n; ++i) {
     if (rows[i] < 0) {

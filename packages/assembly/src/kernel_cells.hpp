@@ -24,6 +24,8 @@ struct KernelCells {
 
   std::vector<int> levels;  ///< the fields among them that have a level
   CellMemory memory;        ///< once made; nothing for most kernels
+  /// [cell]: 1 where the branch of the accepted state is held; empty when the law does not switch.
+  std::vector<char> held;
 
   int unknowns() const { return first.back(); }
   bool has_level() const { return !levels.empty(); }

@@ -5,32 +5,9 @@
 
 #include "hawser/base/tensor.hpp"
 #include "hawser/physics/element_kernel.hpp"
+#include "tension.hpp"
 
 namespace hawser {
-
-struct CableProperties {
-  double mass = 60;              ///< per length, kg/m (in a flow in the plane: per metre of depth)
-  double axial_stiffness = 1e7;  ///< EA, N
-  double bending_stiffness = 0;  ///< EI, N m^2
-  double damping = 0;            ///< external, N s/m per length
-  double axial_damping = 0;      ///< internal, of the strain rate, N s
-  double slack_width = 1e-5;     ///< strain over which the tension is switched off smoothly
-  double compressive_ratio = 0;  ///< stiffness left in compression, relative to EA
-};
-
-/// Second Piola tension of a cable that carries no compression, continuously differentiable in the
-/// strain: zero below -width, EA E above +width, a parabola between.
-template <class T>
-T slack_tension(const T& strain, const CableProperties& cable) {
-  const double width = cable.slack_width;
-  T tension = cable.compressive_ratio * strain;
-  const double carried = 1 - cable.compressive_ratio;
-  if (strain > width)
-    tension += carried * strain;
-  else if (strain > -width)
-    tension += carried * (strain + width) * (strain + width) / (4 * width);
-  return cable.axial_stiffness * tension;
-}
 
 /// A segment and its deformation.
 template <class T, int D>
@@ -62,6 +39,20 @@ Segment<T, D> segment_of(const Element& at, int displacement) {
           [&](int a, int i) { return at.value(displacement, a, i); }};
 }
 
+/// Of the same at the end of the step, and at its start.
+template <class T, int D, class Element>
+T strain_at_end(const Element& at, int displacement) {
+  return Segment<T, D>([&](int a, int i) { return at.coordinate(a, i); },
+                       [&](int a, int i) { return at.end(displacement, a, i); })
+      .strain;
+}
+template <int D, class Element>
+double strain_before(const Element& at, int displacement) {
+  return Segment<double, D>([&](int a, int i) { return at.coordinate(a, i); },
+                            [&](int a, int i) { return at.accepted(displacement, a, i); })
+      .strain;
+}
+
 /// Inertia, damping, membrane force and weight.
 template <int D>
 class CableKernel : public ElementKernel<CableKernel<D>> {
@@ -71,7 +62,7 @@ class CableKernel : public ElementKernel<CableKernel<D>> {
   static constexpr int node_count = 2;
   static constexpr std::array<FieldUse, 2> uses = {
       StandardFields<D>::velocity.as(Role::adds, need::value | need::rate),
-      StandardFields<D>::displacement.as(Role::kinematic, need::value)};
+      StandardFields<D>::displacement.as(Role::kinematic, need::value | need::accepted)};
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;
 
@@ -82,10 +73,7 @@ class CableKernel : public ElementKernel<CableKernel<D>> {
   template <class Element, class T>
   void element_residual(const Element& at, T* out) const {
     const auto segment = segment_of<T, D>(at, displacement);
-    T tension = slack_tension(segment.strain, cable_);
-    for (int i = 0; i < D; ++i)
-      tension += cable_.axial_damping / segment.length * segment.stretch[i] *
-                 (at.value(velocity, 1, i) - at.value(velocity, 0, i));
+    const T tension = elastic_tension<T>(at) + cable_.axial_damping * strain_rate<T>(at, segment);
     for (int i = 0; i < D; ++i) {
       const T force = tension * segment.stretch[i];
       out[at.index(velocity, 0, i)] -= force;
@@ -99,6 +87,13 @@ class CableKernel : public ElementKernel<CableKernel<D>> {
     }
   }
 
+  bool switches() const override { return true; }
+  bool on_held_branch(const CellInput& cell) const override {
+    const auto at = this->element(cell);
+    return !taut(strain_before<D>(at, displacement)) ||
+           taut(strain_at_end<double, D>(at, displacement));
+  }
+
   std::vector<Kernel::Quantity> quantities() const override { return {{"tension", "N", true}}; }
   /// The true tension, stretch times second Piola tension.
   void evaluate(const CellInput& cell, double* values) const override {
@@ -108,9 +103,63 @@ class CableKernel : public ElementKernel<CableKernel<D>> {
     values[0] = std::sqrt(1 + 2 * segment.strain) * slack_tension(segment.strain, cable_);
   }
 
+  std::vector<EnergyTerm> energy_terms() const override {
+    using Kind = EnergyTerm::Kind;
+    return {{"kinetic", Kind::stored},
+            {"axial strain", Kind::stored},
+            {"weight", Kind::supplied},
+            {"internal damping", Kind::dissipated},
+            {"external damping", Kind::dissipated}};
+  }
+  void powers(const CellInput& cell, double* powers) const override {
+    const auto at = this->element(cell);
+    const auto segment = segment_of<double, D>(at, displacement);
+    const double rate = strain_rate<double>(at, segment);
+    const FieldOnCell& v = cell.fields[velocity];
+    powers[0] = cable_.mass * lengthwise(segment.length, v.value, v.rate);
+    powers[1] = segment.length * elastic_tension<double>(at) * rate;
+    powers[2] = 0;
+    for (int i = 0; i < D; ++i)
+      powers[2] -= 0.5 * segment.length * weight_[i] * (v.value[i] + v.value[D + i]);
+    powers[3] = segment.length * cable_.axial_damping * rate * rate;
+    powers[4] = cable_.damping * lengthwise(segment.length, v.value, v.value);
+  }
+  void energies(const CellInput& cell, double* energies) const override {
+    const auto segment = segment_of<double, D>(this->element(cell), displacement);
+    const double* const v = cell.fields[velocity].value;
+    energies[0] = 0.5 * cable_.mass * lengthwise(segment.length, v, v);
+    energies[1] = segment.length * strain_energy(segment.strain, cable_);
+  }
+
   std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }
 
  private:
+  /// Of the instant, without damping, N.
+  template <class T, class Element>
+  T elastic_tension(const Element& at) const {
+    const CellInput& cell = *at.cell;
+    const double before = strain_before<D>(at, displacement);
+    const T after = strain_at_end<T, D>(at, displacement);
+    return cell.held && taut(before) ? taut_tension_in_step(before, after, cell.share, cable_)
+                                     : tension_in_step(before, after, cell.share, cable_);
+  }
+  /// x' . v', 1/s.
+  template <class T, class Element>
+  static T strain_rate(const Element& at, const Segment<T, D>& segment) {
+    T rate = 0.0;
+    for (int i = 0; i < D; ++i)
+      rate += segment.stretch[i] * (at.value(velocity, 1, i) - at.value(velocity, 0, i));
+    return rate / segment.length;
+  }
+  /// Integral of a . b along the segment, of nodal vectors.
+  static double lengthwise(double length, const double* a, const double* b) {
+    double sum = 0;
+    for (int i = 0; i < D; ++i)
+      sum += a[i] * (2 * b[i] + b[D + i]) + a[D + i] * (b[i] + 2 * b[D + i]);
+    return length / 6 * sum;
+  }
+  bool taut(double strain) const { return strain >= cable_.slack_width; }
+
   CableProperties cable_;
   Vector<double, D> weight_;
 };

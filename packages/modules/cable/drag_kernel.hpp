@@ -40,6 +40,26 @@ class CableDragKernel : public ElementKernel<CableDragKernel<D>> {
 
   template <class Element, class T>
   void element_residual(const Element& at, T* out) const {
+    add_load(at, added_mass_, out);
+  }
+
+  std::vector<EnergyTerm> energy_terms() const override {
+    return {{"drag", EnergyTerm::Kind::dissipated}, {"added mass", EnergyTerm::Kind::transported}};
+  }
+  void powers(const CellInput& cell, double* powers) const override {
+    double drag[4 * D] = {};
+    add_load(this->element(cell), 0, drag);
+    powers[0] = 0;
+    for (int i = 0; i < 2 * D; ++i)
+      powers[0] += drag[i] * cell.fields[velocity].value[i];
+    powers[1] = this->residual_times(cell, velocity) - powers[0];
+  }
+
+  std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }
+
+ private:
+  template <class Element, class T>
+  void add_load(const Element& at, double added_mass, T* out) const {
     using std::sqrt;
     const auto segment = segment_of<T, D>(at, displacement);
     Vector<T, D> tangent = segment.stretch;
@@ -47,7 +67,7 @@ class CableDragKernel : public ElementKernel<CableDragKernel<D>> {
     for (int i = 0; i < D; ++i)
       tangent[i] /= stretch;
     for (const GaussPoint& point : three_points) {
-      const Vector<T, D> load = load_at(at, point, tangent);
+      const Vector<T, D> load = load_at(at, point, tangent, added_mass);
       for (int i = 0; i < D; ++i) {
         const T share = point.weight * segment.length * load[i];
         out[at.index(velocity, 0, i)] -= (1 - point.s) * share;
@@ -56,12 +76,9 @@ class CableDragKernel : public ElementKernel<CableDragKernel<D>> {
     }
   }
 
-  std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }
-
- private:
   template <class Element, class T>
-  Vector<T, D> load_at(const Element& at, const GaussPoint& point,
-                       const Vector<T, D>& tangent) const {
+  Vector<T, D> load_at(const Element& at, const GaussPoint& point, const Vector<T, D>& tangent,
+                       double added_mass) const {
     using std::sqrt;
     const PointOnSegment<T, D> place(at, displacement, point);
     Vector<T, D> relative, acceleration;
@@ -85,7 +102,7 @@ class CableDragKernel : public ElementKernel<CableDragKernel<D>> {
     const T friction = tangential_ * (along < 0.0 ? T(-along * along) : T(along * along));
     Vector<T, D> load;
     for (int i = 0; i < D; ++i)
-      load[i] = normal_drag * relative[i] + friction * tangent[i] - added_mass_ * acceleration[i];
+      load[i] = normal_drag * relative[i] + friction * tangent[i] - added_mass * acceleration[i];
     return load;
   }
 

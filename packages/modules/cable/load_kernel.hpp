@@ -61,6 +61,13 @@ class CableLoadKernel : public ElementKernel<CableLoadKernel<D>> {
     }
   }
 
+  std::vector<EnergyTerm> energy_terms() const override {
+    return {{"loads", EnergyTerm::Kind::supplied}};
+  }
+  void powers(const CellInput& cell, double* powers) const override {
+    powers[0] = this->residual_times(cell, velocity);
+  }
+
   std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }
 
  private:
@@ -94,6 +101,13 @@ class PointLoadKernel : public ElementKernel<PointLoadKernel<D>> {
     for (int i = 0; i < D; ++i)
       out[at.index(velocity, 0, i)] -=
           at_place(force_[static_cast<std::size_t>(i)], place, moved, at.time());
+  }
+
+  std::vector<EnergyTerm> energy_terms() const override {
+    return {{"loads", EnergyTerm::Kind::supplied}};
+  }
+  void powers(const CellInput& cell, double* powers) const override {
+    powers[0] = this->residual_times(cell, velocity);
   }
 
   std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }

@@ -1,6 +1,7 @@
 #include "hawser/report/report_registry.hpp"
 
 #include "hawser/base/error.hpp"
+#include "src/energy_report.hpp"
 #include "src/error_report.hpp"
 #include "src/force_report.hpp"
 #include "src/probe_report.hpp"
@@ -11,6 +12,7 @@ void register_reports(ReportRegistry& registry) {
   registry.add<ForceReport>();
   registry.add<ProbeReport>("output");
   registry.add<ErrorReport>();
+  registry.add<EnergyReport>();
 }
 
 std::vector<NodeSpec> ReportRegistry::specs(const std::string& parent) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/time/switched_solve.hpp"
 
 namespace hawser {
 namespace {
@@ -42,7 +43,7 @@ class Solves {
       problem_.start();
       problem_.begin_step(step);
       const auto x = problem_.guess();
-      done.newton = driver_.solve(*x);
+      done.newton = switched_solve(problem_, driver_, *x);
       problem_.finish_step(*x);
       problem_.accept();
     } catch (const SolveError& error) {

@@ -10,7 +10,9 @@
 #include "hawser/simulation/run_deck.hpp"
 #include "hawser/time/state_checkpoint.hpp"
 #include "hawser/time/step_control.hpp"
+#include "hawser/time/switched_solve.hpp"
 #include "src/continuation.hpp"
+#include "src/equilibrium.hpp"
 #include "src/system.hpp"
 
 namespace hawser {
@@ -42,6 +44,7 @@ void Stepper::build(const std::string& mesh_file) {
   control_->resume(header.numbers.at("control_step_s"),
                    static_cast<int>(header.numbers.at("control_successes")));
   system_->reports->resume(header);
+  system_->energy->resume(header.part("energy."));
   number_ = header.step;
   start_iterations_ = static_cast<long long>(header.numbers.at("start_newton_iterations"));
   started_ = true;
@@ -71,6 +74,7 @@ void Stepper::find_equilibrium() {
                         ? continue_equilibrium(case_, mesh_file_, *system_, options, tell)
                         : hawser::find_equilibrium(*system_, options, tell);
   problem.start();
+  system_->energy->start(problem.state());
 }
 
 bool Stepper::finished() const { return control_->finished(time()); }
@@ -83,7 +87,7 @@ NonlinearReport Stepper::solve(double length) {
   CoupledProblem& problem = *system_->problem;
   problem.begin_step(length);
   const auto x = problem.guess();
-  NonlinearReport report = system_->driver->solve(*x);
+  NonlinearReport report = switched_solve(problem, *system_->driver, *x);
   problem.finish_step(*x);
   return report;
 }
@@ -93,7 +97,7 @@ void Stepper::accept(const Attempt& attempt) {
   problem.accept();
   last_.reset(new Step{++number_, attempt.length, finished(), attempt.local_error,
                        attempt.newton.iterations, attempt.newton.linear_iterations, problem.end(),
-                       problem.state(), problem.reactions()});
+                       problem.state(), problem.reactions(), &system_->energy->account()});
   system_->reports->accepted(*last_);
 }
 
@@ -124,6 +128,17 @@ Attempt Stepper::advance(double longest) {
     attempt.why = "local error " + write_value(*attempt.local_error);
     return told(std::move(attempt));
   }
+  EnergyAccount energy = system_->energy->after_step(*system_->problem);
+  if (system_->energy->grows(energy, case_.deck().time.energy_growth)) {
+    const std::string unit = std::string("J") + system_->mesh.per_depth();
+    attempt.why = "energy grows without work: " + write_value(-energy.time_dissipation) + " " +
+                  unit + " since the start, of " + write_value(energy.first + energy.done) + " " +
+                  unit;
+    attempt = told(std::move(attempt));
+    if (control_->rejected(attempt.length)) return attempt;
+    throw SolveError(attempt.why + "; the least step was reached");
+  }
+  system_->energy->accept(std::move(energy));
   control_->accepted(attempt.length, outcome);
   attempt.accepted = true;
   accept(attempt);
@@ -200,6 +215,7 @@ void Stepper::save(const std::string& checkpoint) {
   header.numbers["control_successes"] = control_->successes();
   header.numbers["start_newton_iterations"] = static_cast<double>(start_iterations_);
   system_->reports->save(header);
+  header.add("energy.", system_->energy->save());
   header.texts["deck"] = case_.text().text;
   header.texts["deck_file"] = case_.text().file;
   Summary provenance;

@@ -12,6 +12,7 @@
 #include "hawser/simulation/case.hpp"
 #include "hawser/solve/nonlinear_driver.hpp"
 #include "hawser/time/coupled_problem.hpp"
+#include "hawser/time/energy_ledger.hpp"
 
 namespace hawser {
 
@@ -24,6 +25,7 @@ struct System {
   std::unique_ptr<Conditions> conditions;
   std::unique_ptr<TimeIntegrator> integrator;
   std::unique_ptr<CoupledProblem> problem;
+  std::unique_ptr<EnergyLedger> energy;
   std::unique_ptr<NonlinearDriver> driver;
   std::unique_ptr<Reports> reports;
   std::vector<std::string> notes;  ///< worth a user's look

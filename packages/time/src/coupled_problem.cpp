@@ -26,6 +26,7 @@ void CoupledProblem::start() {
 void CoupledProblem::begin_step(double step) {
   assembler_.begin_step();
   integrator_.begin_step(step, state_);
+  assembler_.hold_switches();
   prescribe();
   level_with_prescribed();
   for (const PrescribedRow& row : constraints_.prescribed())
@@ -77,6 +78,11 @@ void CoupledProblem::set_state(const TpetraVector& x) {
   assembler_.spread(x, state_.value);
   integrator_.update_rates(state_);
   if (conditions_.follow_the_mesh()) prescribe();
+}
+
+bool CoupledProblem::on_held_branches(const TpetraVector& x) {
+  set_state(x);
+  return !assembler_.release_wrong_switches(state_);
 }
 
 void CoupledProblem::finish_step(const TpetraVector& x) {

@@ -29,6 +29,7 @@ TimeScheme TimeDeck::scheme() const {
   result.beta = beta.value_or(result.beta);
   result.gamma = gamma.value_or(result.gamma);
   result.rho_infinity = rho_infinity.value_or(result.rho_infinity);
+  result.theta = theta.value_or(result.theta);
   result.euler_start = euler_start;
   return result;
 }
@@ -42,9 +43,12 @@ Spec<TimeDeck> TimeDeck::spec() {
               {{"bdf2", Method::bdf2},
                {"newmark", Method::newmark},
                {"generalised-alpha", Method::generalised_alpha},
+               {"midpoint", Method::midpoint},
                {"steady", Method::steady}},
               "Backward differences of second order, which damp fast motions at once; Newmark's "
-              "method, generalised-alpha, or solves without rates: one at `end`, or, "
+              "method; generalised-alpha; the midpoint rule with forces from differences of "
+              "energies, by which a structure gains no energy without work, whatever the step; or "
+              "solves without rates: one at `end`, or, "
               "where `step` is shorter, one per step, in which loads may grow with t.")
       .attribute("beta", &P::beta, "1", between(0.25, 1) && absent("0.3025"), "Newmark's beta.")
       .attribute("gamma", &P::gamma, "1", between(0.5, 1) && absent("0.6"),
@@ -54,6 +58,9 @@ Spec<TimeDeck> TimeDeck::spec() {
       .attribute("rho-infinity", &P::rho_infinity, "1", between(0, 1) && absent("0.5"),
                  "What generalised-alpha leaves of the fastest motions per step: 0 damps most, 1 "
                  "nothing.")
+      .attribute("theta", &P::theta, "1", between(0.5, 1) && absent("0.5"),
+                 "Where in the step the midpoint rule forms its equations: at 0.5 it keeps the "
+                 "energy, beyond it loses some in every step and is of first order.")
       .choice("start", &P::euler_start, {{"implicit-euler", true}, {"initial-rates", false}},
               "How the first step is made: by implicit Euler, which asks for no initial rates, or "
               "by the scheme with the rates of the initial values' expressions (0 for constants).")
@@ -64,6 +71,11 @@ Spec<TimeDeck> TimeDeck::spec() {
       .attribute("end", &P::end, "s", positive(), "Time at which the run ends.")
       .attribute("grow-after", &P::grow_after, at_least(1),
                  "Accepted steps in a row after which a cut step is doubled again.")
+      .attribute(
+          "energy-growth", &P::energy_growth, "1", positive(),
+          "A step is rejected in which the time scheme makes energy out of nothing, once all "
+          "that it has made is more than this share of the work done and of the energy at "
+          "the start.")
       .child(&P::targets, adapt_spec())
       .location(&P::location)
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
@@ -72,6 +84,8 @@ Spec<TimeDeck> TimeDeck::spec() {
           diagnostics.error(where, "beta and gamma belong to scheme=\"newmark\"");
         if (p.method != Method::generalised_alpha && p.rho_infinity)
           diagnostics.error(where, "rho-infinity belongs to scheme=\"generalised-alpha\"");
+        if (p.method != Method::midpoint && p.theta)
+          diagnostics.error(where, "theta belongs to scheme=\"midpoint\"");
         if (p.steady() && p.targets)
           diagnostics.error(where, "a steady solve has no steps that <adapt> could steer");
         if (2 * scheme.beta < scheme.gamma)

@@ -39,6 +39,8 @@ void TimeIntegrator::begin_step(double step, State& state) {
   state.step = steady ? std::numeric_limits<double>::infinity() : step;
   state.time = history_.time + present_.alpha_f * step;
   state.elapsed = steady ? state.step : state.time - history_.instant;
+  state.share = steady ? 1 : present_.alpha_f;
+  state.bounds_energy = present_.bounds_energy;
   state.accepted = history_.value;
   state.value = history_.value;
   state.rate.assign(rows, 0);
@@ -111,6 +113,7 @@ double TimeIntegrator::end_rate(const State& state, std::size_t row) const {
 void TimeIntegrator::extrapolate(const State& state, State& end) const {
   end = state;
   end.time = history_.time + step_;
+  end.share = 1;
   for (std::size_t row = 0; row < rule_.size(); ++row) {
     end.value[row] = end_value(state, row);
     end.rate[row] = end_rate(state, row);
@@ -136,9 +139,11 @@ void TimeIntegrator::accept(const State& state) {
 std::optional<double> TimeIntegrator::local_error(const State& state) const {
   if (history_.earlier_step == 0 || scheme_.steady()) return std::nullopt;
   // u_{n+1} against u_n + dt (u'_n + (r/2 + alpha_m - alpha_f) (u'_n - u'_{n-1})), r = dt/dt_n: a
-  // rate of generalised-alpha is that of the time (alpha_m - alpha_f) dt_n before.
+  // rate of generalised-alpha is that of the time (alpha_m - alpha_f) dt_n before, one of the
+  // midpoint rule that of half a step before.
   const double ratio = step_ / history_.step;
-  const double reach = 0.5 * ratio + present_.alpha_m - present_.alpha_f;
+  const double reach =
+      0.5 * ratio + (present_.bounds_energy ? 0.5 : present_.alpha_m - present_.alpha_f);
   const DofMap& dofs = assembler_.dofs();
   struct Sums {
     double value = 0, rate = 0, error[2] = {0, 0}, count[2] = {0, 0};  // [on structures]

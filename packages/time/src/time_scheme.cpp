@@ -14,7 +14,11 @@ void set_backward(StepCoefficients& result, double memory) {
 
 }  // namespace
 
-int TimeScheme::order() const { return method == Method::newmark && gamma != 0.5 ? 1 : 2; }
+int TimeScheme::order() const {
+  const bool first =
+      (method == Method::newmark && gamma != 0.5) || (method == Method::midpoint && theta != 0.5);
+  return first ? 1 : 2;
+}
 
 StepCoefficients TimeScheme::coefficients(double step, double earlier) const {
   const bool euler = earlier == 0 && euler_start;
@@ -22,6 +26,13 @@ StepCoefficients TimeScheme::coefficients(double step, double earlier) const {
   result.memory = step / (step + earlier);
   if (method == Method::bdf2) {
     set_backward(result, euler ? 0 : result.memory);
+  } else if (method == Method::midpoint) {
+    // All rates are differences over the step: m (v_1 - v_0) . v_theta is the gain of the kinetic
+    // energy, and (theta - 1/2) m |v_1 - v_0|^2 more.
+    result.alpha_f = theta;
+    result.of_velocity = 0;
+    result.factor = theta;
+    result.bounds_energy = true;
   } else if (euler) {
     return result;
   } else if (method == Method::generalised_alpha) {

@@ -23,6 +23,13 @@ TimeScheme bdf2() {
   return scheme;
 }
 
+TimeScheme midpoint(double theta) {
+  TimeScheme scheme;
+  scheme.method = TimeScheme::Method::midpoint;
+  scheme.theta = theta;
+  return scheme;
+}
+
 /// The cable's nodes as oscillators v' + omega^2 d = 0, d' = v, from d = 1, v = 0, with an initial
 /// acceleration that is wrong; the water's nodes obey v' + omega v = 0 from v = 1.
 class Oscillators : private SampleIntegrator {
@@ -122,9 +129,14 @@ TEST(Order, IsThatOfTheScheme) {
       EXPECT_NEAR(order, 2, 0.1) << "rho_infinity " << rho;
   for (const double order : orders(damped))
     EXPECT_NEAR(order, 1, 0.1);
-  for (const bool uneven : {false, true})
+  for (const bool uneven : {false, true}) {
+    for (const double order : orders(midpoint(0.5), uneven))
+      EXPECT_NEAR(order, 2, 0.1);
+    for (const double order : orders(midpoint(0.6), uneven))
+      EXPECT_NEAR(order, 1, 0.1);
     for (const double order : orders(bdf2(), uneven))
       EXPECT_NEAR(order, 2, 0.1) << (uneven ? "uneven steps" : "even steps");
+  }
 }
 
 // L-stable: of motions that a step does not resolve nothing is left, also where steps grow.
@@ -163,6 +175,25 @@ TEST(Bdf2, ItsErrorIsTheShareOfTheDifferenceToAnExplicitStep) {
   }
 }
 
+// From the first step on, though the initial acceleration is wrong, and for steps of any length.
+TEST(Midpoint, KeepsTheEnergyOrLosesSome) {
+  const auto energy = [](const Oscillators& oscillators, double omega) {
+    return std::pow(omega * oscillators.displacement(), 2) + std::pow(oscillators.velocity(), 2);
+  };
+  for (const double omega : {0.1, 2.0, 1e4}) {
+    Oscillators keeps(midpoint(0.5), omega), loses(midpoint(0.55), omega);
+    double before = energy(loses, omega);
+    for (const double length : {0.1, 0.1, 3.0, 0.7, 1e-3, 20.0}) {
+      keeps.step(length);
+      EXPECT_NEAR(energy(keeps, omega), omega * omega, 1e-11 * omega * omega);
+      loses.step(length);
+      EXPECT_LE(energy(loses, omega), before);
+      before = energy(loses, omega);
+    }
+    EXPECT_LE(before, 0.9 * omega * omega);
+  }
+}
+
 // What rho_infinity means, for structures and fluid with the one alpha_m.
 TEST(GeneralisedAlpha, LeavesRhoInfinityOfTheFastestMotions) {
   for (const double rho : {0.3, 0.5, 0.8}) {
@@ -179,7 +210,7 @@ TEST(GeneralisedAlpha, LeavesRhoInfinityOfTheFastestMotions) {
 // Within a factor of two of the true error of a step, for fluid-like and structure-like motion.
 TEST(LocalError, IsEstimated) {
   for (const TimeScheme& scheme :
-       {newmark(0.25, 0.5), generalised_alpha(0.5), newmark(0.3025, 0.6), bdf2()}) {
+       {newmark(0.25, 0.5), generalised_alpha(0.5), newmark(0.3025, 0.6), bdf2(), midpoint(0.5)}) {
     Oscillators oscillators(scheme, 2);
     EXPECT_FALSE(oscillators.local_error());
     oscillators.run(0.01, 0.5);

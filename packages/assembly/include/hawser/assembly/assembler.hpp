@@ -44,6 +44,14 @@ class Assembler {
   void residual(const State& state, std::vector<double>& total,
                 std::vector<double>& magnitude) const;
 
+  /// Laws that switch keep the branch of the accepted state in all cells, from now on.
+  void hold_switches();
+  /// The law itself from now on in the cells whose branch is not the one held; whether there are
+  /// any. Collective.
+  bool release_wrong_switches(const State& state);
+  /// The law itself in all cells; whether a branch was held in any. Collective.
+  bool release_switches();
+
   /// The tangent of all kernels in system().matrix, before any condition. Same errors.
   void tangent(const State& state);
 
@@ -62,6 +70,12 @@ class Assembler {
   void remember(const State& state);
   /// Of all kernels whose cells remember something; valid as long as the assembler.
   std::vector<CellMemory*> memories();
+  /// Terms of the energy balance of all kernels; per term, what they come to: W at the instant of
+  /// the equations (supplied ones negative), J at the state's own. Sums over the cells of all
+  /// ranks; collective.
+  const std::vector<EnergyTerm>& energy_terms() const;
+  std::vector<double> powers(const State& state) const;
+  std::vector<double> energies(const State& state) const;
 
   // Rows of the matrix, for conditions: local columns ascending.
   double* row_values(LocalIndex row);

@@ -36,9 +36,8 @@ class ElementKernel : public Kernel {
   int nodes(std::size_t /*field*/) const override { return Derived::node_count; }
 
   CellStatus residual(const CellInput& cell, double* residual) const override {
-    const Element<double> at = plain(cell);
     std::fill(residual, residual + unknowns(), 0.0);
-    static_cast<const Derived&>(*this).element_residual(at, residual);
+    static_cast<const Derived&>(*this).element_residual(element(cell), residual);
     return status(residual);
   }
 
@@ -72,7 +71,7 @@ class ElementKernel : public Kernel {
   int memory_per_cell() const override { return Derived::memory; }
   void advance_memory(const CellInput& cell, double* next) const override {
     if constexpr (Derived::memory > 0)
-      static_cast<const Derived&>(*this).advance(plain(cell), next);
+      static_cast<const Derived&>(*this).advance(element(cell), next);
   }
 
   static constexpr int first(int field) {
@@ -83,7 +82,7 @@ class ElementKernel : public Kernel {
   }
   static constexpr int unknowns() { return first(static_cast<int>(Derived::uses.size())); }
 
- private:
+ protected:
   template <class T>
   struct Element {
     explicit Element(const CellInput& input) : cell(&input) {}
@@ -111,16 +110,28 @@ class ElementKernel : public Kernel {
     const T& rate(int field, int node, int component) const {
       return rates[index(field, node, component)];
     }
-    double time() const { return cell->time; }              ///< s
     double elapsed() const { return cell->elapsed; }        ///< s, since the instant of the memory
     double memory(int i) const { return cell->memory[i]; }  ///< of the last accepted step
+    double time() const { return cell->time; }  ///< s
+    /// At the last accepted step.
+    double accepted(int field, int node, int component) const {
+      return nodal(index(field, node, component), &FieldOnCell::accepted);
+    }
+    /// At the end of the step.
+    T end(int field, int node, int component) const {
+      const T& now = value(field, node, component);
+      if (cell->share == 1) return now;
+      const double before = accepted(field, node, component);
+      return before + (now - before) / cell->share;
+    }
     /// Reference coordinate, m.
     double coordinate(int node, int component) const {
       return cell->coordinates[node * Derived::dimension + component];
     }
   };
 
-  static Element<double> plain(const CellInput& cell) {
+  /// For what a kernel evaluates beside its residual.
+  static Element<double> element(const CellInput& cell) {
     Element<double> at(cell);
     for (int i = 0; i < unknowns(); ++i) {
       at.values[i] = at.nodal(i, &FieldOnCell::value);
@@ -129,6 +140,17 @@ class ElementKernel : public Kernel {
     return at;
   }
 
+  /// Residual . value of a field, as of the momentum rows and the velocity.
+  double residual_times(const CellInput& cell, int field) const {
+    double out[unknowns()];
+    residual(cell, out);
+    double sum = 0;
+    for (int i = first(field); i < first(field + 1); ++i)
+      sum += out[i] * cell.fields[field].value[i - first(field)];
+    return sum;
+  }
+
+ private:
   static CellStatus status(const double* residual) {
     double sum = 0;
     for (int i = 0; i < unknowns(); ++i)

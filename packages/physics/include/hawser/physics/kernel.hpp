@@ -33,12 +33,30 @@ struct CellInput {
   /// s, from the instant of what is remembered, at which that step's equations were formed, to
   /// `time`; infinite in a steady solve.
   double elapsed = 0;
+  /// Of the step at which the equations are formed: it ends at accepted + (value - accepted)/share.
+  double share = 1;
+  /// Forces must do at least the work over the step that their energy gains.
+  bool bounds_energy = false;
+  bool held = false;  ///< the branch of a law that switches (Kernel::switches)
 };
 
 enum class CellStatus {
   ok,
   inverted,   ///< det F <= 0
   not_finite  ///< the residual is not a number
+};
+
+/// A term of the energy balance. Terms of one name and kind are one term of the run.
+struct EnergyTerm {
+  enum class Kind {
+    stored,       ///< kinetic, strain: the power is the rate of the energy
+    supplied,     ///< by loads
+    dissipated,   ///< by what the equations describe
+    numerical,    ///< by what the discretisation in space adds to them
+    transported,  ///< carried out of the region
+  };
+  const char* name;  ///< with spaces: it becomes part of a quantity's name
+  Kind kind;
 };
 
 class Kernel {
@@ -78,6 +96,12 @@ class Kernel {
   /// What is to be remembered of an accepted step, `next`, from its state and what was remembered
   /// before, cell.memory. Evaluated once per step and cell, on every rank that holds the cell.
   virtual void advance_memory(const CellInput& /*cell*/, double* /*next*/) const {}
+  /// Whether the law switches between branches, as slack and contact do. Newton's method then
+  /// solves first with the branch of the accepted state held for all values, where that is a
+  /// smoother law, and the law itself takes over in the cells whose solution is on another branch.
+  virtual bool switches() const { return false; }
+  /// Whether the law itself has this cell's residual: else the branch held is the wrong one.
+  virtual bool on_held_branch(const CellInput& /*cell*/) const { return true; }
 
   /// What else the cell can tell for output, such as a tension; evaluate() gives one value for
   /// each.
@@ -88,6 +112,15 @@ class Kernel {
   };
   virtual std::vector<Quantity> quantities() const { return {}; }
   virtual void evaluate(const CellInput& /*cell*/, double* /*values*/) const {}
+
+  /// What becomes of the power residual . velocity on the velocity's rows; the balance counts as
+  /// unexplained what the terms leave of it. Where a kernel has no such rows it has no terms.
+  virtual std::vector<EnergyTerm> energy_terms() const { return {}; }
+  /// One value per term at the instant of the equations, W: together (supplied ones negative)
+  /// residual . velocity.
+  virtual void powers(const CellInput& /*cell*/, double* /*powers*/) const {}
+  /// One value per term, J, at the state's own instant; only those of stored terms are looked at.
+  virtual void energies(const CellInput& /*cell*/, double* /*energies*/) const {}
 
   /// An admissible state for derivative checks: det F > 0, away from kinks. Amplitudes per field.
   virtual std::vector<double> sample_amplitudes() const;

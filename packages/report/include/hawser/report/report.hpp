@@ -10,6 +10,7 @@
 #include "hawser/output/grid.hpp"
 #include "hawser/output/history.hpp"
 #include "hawser/output/summary.hpp"
+#include "hawser/time/energy_ledger.hpp"
 #include "hawser/values/tracks.hpp"
 
 namespace hawser {
@@ -26,6 +27,7 @@ struct Step {
   const State& end;      ///< at the end of the step
   const State& balance;  ///< at the instant of the equations: pressures and forces stand here
   const std::vector<double>& reactions;  ///< per owned row, what supports must supply; at `balance`
+  const EnergyAccount* energy = nullptr;  ///< at the end of the step
 };
 
 /// What a report is made for, beside its parameters. All but the tracks outlives the report.

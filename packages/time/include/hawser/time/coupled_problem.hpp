@@ -20,6 +20,11 @@ class CoupledProblem : public NonlinearProblem {
   void begin_step(double step);
   /// The predicted state as the vector of unknowns, for Newton to start from.
   std::shared_ptr<TpetraVector> guess() const;
+  /// Whether laws that switch are on the branches that Newton held; those that are not are
+  /// themselves from now on, and x is to be solved for again.
+  bool on_held_branches(const TpetraVector& x);
+  /// All laws are themselves from now on; false when they were already.
+  bool release_switches() { return assembler_.release_switches(); }
   /// Makes x the state and evaluates the balances there, so that reactions() belongs to it.
   void finish_step(const TpetraVector& x);
   /// The step becomes the past. What cells remember of it is read from the next step on.
@@ -40,6 +45,9 @@ class CoupledProblem : public NonlinearProblem {
   const State& end() const { return end_; }
   /// Per owned row, what supports must supply: the assembled balance before any condition.
   const std::vector<double>& reactions() const { return total_; }
+
+  /// What is prescribed in this step, owned rows.
+  const std::vector<PrescribedRow>& prescribed() const { return constraints_.prescribed(); }
 
   double residual_seconds() const { return residual_watch_.seconds(); }
   double tangent_seconds() const { return tangent_watch_.seconds(); }

@@ -10,8 +10,9 @@ namespace hawser {
 /// What a deck says of <time>.
 struct TimeDeck : StepOptions {
   TimeScheme::Method method = TimeScheme::Method::newmark;
-  std::optional<double> beta, gamma, rho_infinity;
+  std::optional<double> beta, gamma, rho_infinity, theta;
   bool euler_start = true;
+  double energy_growth = 0.05;  ///< EnergyLedger::grows
   Location location;
   bool steady() const { return method == TimeScheme::Method::steady; }
   /// One steady solve: there is no shorter step to try; load steps have one.
