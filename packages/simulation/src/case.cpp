@@ -82,6 +82,9 @@ std::shared_ptr<Case::Content> Case::read(const Environment& environment, Deck t
   load_plugins(environment, content->deck.plugins, content->registries);
   modules_of(content->text, content->deck, content->registries.modules, diagnostics);
   content->reports = plan_reports(content->deck, content->registries.reports, diagnostics);
+  const auto& equilibrium = content->deck.start.equilibrium;
+  if (equilibrium && equilibrium->continuation)
+    equilibrium->continuation->check(content->text.root.names.get(), diagnostics);
   diagnostics.throw_if_any();
   return content;
 }
@@ -123,6 +126,22 @@ Case Case::from_checkpoint(const Environment& environment, const std::string& fi
                                      " s: nothing is left to do; --end sets a later end");
   content->checkpoint = std::move(checkpoint);
   content->home = std::filesystem::absolute(file).parent_path().string();
+  return Case(content);
+}
+
+Case Case::changed(const std::vector<DeckChange>& changes) const {
+  Diagnostics diagnostics;
+  auto content = std::make_shared<Content>(
+      Content{communicator(), content_->registries,
+              read_deck_text(communicator(), text().text, text().file, changes,
+                             deck_language(content_->registries), diagnostics),
+              RunDeck()});
+  content->end = content_->end;
+  content->deck = RunDeck::spec().read(content->text.root, diagnostics);
+  complete(content->deck, content->text, {{}, content->end, false});
+  modules_of(content->text, content->deck, content->registries.modules, diagnostics);
+  content->reports = plan_reports(content->deck, content->registries.reports, diagnostics);
+  diagnostics.throw_if_any();
   return Case(content);
 }
 

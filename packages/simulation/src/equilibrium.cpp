@@ -65,6 +65,7 @@ class Search {
          const std::function<void(const StartSolve&)>& tell)
       : system_(system),
         tell_(tell),
+        relaxes_(options.relaxes),
         first_step_(options.relaxation_step),
         state_(system.problem->state()),
         time_(state_.time),
@@ -72,7 +73,10 @@ class Search {
         relaxing_(system, TimeScheme::Method::bdf2, options.linear, relaxed(options.newton)) {}
 
   State find() {
-    if (!settle()) relax();
+    if (!settle()) {
+      if (!relaxes_) throw SolveError(why_);
+      relax();
+    }
     std::fill(state_.rate.begin(), state_.rate.end(), 0.0);
     state_.time = time_;
     return std::move(state_);
@@ -153,6 +157,7 @@ class Search {
 
   System& system_;
   const std::function<void(const StartSolve&)>& tell_;
+  bool relaxes_;
   double first_step_;  // s, of the relaxation
   State state_;
   double time_;  // s, of the start

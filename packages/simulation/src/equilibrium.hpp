@@ -23,6 +23,7 @@ struct EquilibriumOptions {
   LinearOptions linear;
   NonlinearOptions newton;     ///< of the steady solves
   double relaxation_step = 1;  ///< s, the first one
+  bool relaxes = true;         ///< else Newton's method alone
 };
 
 /// From the system's state to the steady one under the conditions of its time. Every solve is told.

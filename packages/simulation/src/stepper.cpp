@@ -10,7 +10,7 @@
 #include "hawser/simulation/run_deck.hpp"
 #include "hawser/time/state_checkpoint.hpp"
 #include "hawser/time/step_control.hpp"
-#include "src/equilibrium.hpp"
+#include "src/continuation.hpp"
 #include "src/system.hpp"
 
 namespace hawser {
@@ -62,11 +62,14 @@ void Stepper::find_equilibrium() {
   options.newton.tolerance = wanted.tolerance.value_or(options.newton.tolerance);
   options.newton.max_iterations = wanted.max_iterations;
   CoupledProblem& problem = *system_->problem;
-  problem.state() = hawser::find_equilibrium(*system_, options, [&](const StartSolve& solve) {
+  const auto tell = [&](const StartSolve& solve) {
     start_iterations_ += solve.newton.iterations;
     for (Observer* const observer : observers_)
       observer->starting(*this, solve);
-  });
+  };
+  problem.state() = wanted.continuation
+                        ? continue_equilibrium(case_, mesh_file_, *system_, options, tell)
+                        : hawser::find_equilibrium(*system_, options, tell);
   problem.start();
 }
 

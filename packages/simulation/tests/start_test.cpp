@@ -40,6 +40,10 @@ std::string without(std::string text, const std::string& part) {
   return text.erase(text.find(part), part.size());
 }
 
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
 class StartTest : public testing::Test {
  protected:
   Case hung(const std::vector<DeckChange>& changes = {}) {
@@ -180,6 +184,27 @@ TEST_F(StartTest, BeginsAtAnotherRunsEndOnTheSameMeshOnly) {
   EXPECT_THAT(fault({"length", "2.1"}), testing::HasSubstr("up to 0.078"));
   EXPECT_THAT(fault({"start/from", "none.h5"}), testing::HasSubstr("none.h5"));
   EXPECT_THAT(fault({"time/end", "0.01"}), testing::Eq("none"));
+}
+
+TEST_F(StartTest, AParameterIsLedToItsOwnValue) {
+  const std::string led = replaced(
+      hung_deck, "<equilibrium tolerance=\"1e-11\"/>",
+      "<equilibrium tolerance=\"1e-11\"><continuation parameter=\"span\" from=\"1.9\" steps=\"4\"/>"
+      "</equilibrium>");
+  Stepper way(Case::from_text(environment_, led, "hung.xml")), straight(hung());
+  Solves solves;
+  way.observe(solves);
+  way.start();
+  straight.start();
+  EXPECT_LT(apart(way.field("displacement"), straight.field("displacement")), 1e-8);
+  std::vector<std::string> found;
+  for (const StartSolve& solve : solves.all)
+    if (solve.why.empty() && solve.what.find("steady") == 0) found.push_back(solve.what);
+  ASSERT_GE(found.size(), 3u);
+  EXPECT_EQ(found.front(), "steady state, span = 1.9");
+  EXPECT_EQ(found.back(), "steady state, span = 1.805");
+  // From a neighbour Newton's method gets there by itself.
+  EXPECT_EQ(solves.all.back().why, "");
 }
 
 }  // namespace

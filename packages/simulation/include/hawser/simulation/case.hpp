@@ -37,6 +37,9 @@ class Case {
   static Case from_checkpoint(const Environment& environment, const std::string& file,
                               const CaseOptions& options = {});
 
+  /// The same under another deck: changes as `--set` has them, expectations left out. DeckError.
+  Case changed(const std::vector<DeckChange>& changes) const;
+
   const Communicator& communicator() const;
   std::string resolved_deck() const;  ///< XML with every default
   bool has_mesh_file() const;         ///< the deck names one
