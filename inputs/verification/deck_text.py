@@ -37,6 +37,7 @@ def deck(name, title, header, body, base=None):
 def schemes(base, title, quantities):
     """The base deck, which has Newmark's damped method, with others."""
     for name, attributes, order, why in (
+            ("bdf2", 'scheme="bdf2"', 2, "BDF2"),
             ("trapezoidal", 'gamma="0.5" beta="0.25" start="initial-rates"', 2, "Newmark's method with gamma = 0.5"),
             ("generalised_alpha", 'scheme="generalised-alpha" rho-infinity="0.5"', 2, "generalised-alpha")):
         orders = "\n".join(f'    <order quantity="{q}" at-least="{order - 0.1:g}" why="{order}: {why}"/>'

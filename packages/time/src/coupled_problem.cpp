@@ -61,9 +61,15 @@ void CoupledProblem::level_with_prescribed() {
 void CoupledProblem::prescribe() {
   integrator_.extrapolate(state_, end_);
   std::vector<PrescribedRow> rows = conditions_.prescribed(state_, end_);
-  // Where the value follows the mesh, its slope is the same at both instants.
-  for (PrescribedRow& row : rows)
-    row.value = integrator_.at_instant(row.row, row.value);
+  if (!integrator_.at_end()) {
+    // Values at the equations' own instant: averages over the step would carry a net flow through
+    // a closed boundary that deforms (doc/decisions/0051-prescribed-at-the-instant.md).
+    std::vector<PrescribedRow> now = conditions_.prescribed(state_, state_);
+    for (std::size_t i = 0; i < now.size(); ++i)
+      integrator_.set_bend(now[i].row, now[i].value, rows[i].value);
+    assembler_.spread(integrator_.bend());
+    rows = std::move(now);
+  }
   constraints_.prescribe(std::move(rows));
 }
 

@@ -47,6 +47,7 @@ void TimeIntegrator::begin_step(double step, State& state) {
   state.rate_slope.assign(rows, 0);
   state.rate_partner.assign(rows, 0);
   known_rate_.assign(rows, 0);
+  bend_.assign(rows, 0);
   kinematics_.at_rest = steady;
   kinematics_.factor = steady ? 0 : step * present_.factor;
   kinematics_.known.clear();
@@ -82,22 +83,24 @@ void TimeIntegrator::begin_step(double step, State& state) {
 
 void TimeIntegrator::update_rates(State& state) const {
   for (std::size_t row = 0; row < rule_.size(); ++row) {
-    const double change = state.value[row] - history_.value[row];
+    const double change = state.value[row] - bend_[row] - history_.value[row];
     state.rate[row] = is_structure(row) ? state.value[static_cast<std::size_t>(partner_[row])]
                                         : state.rate_slope[row] * change + known_rate_[row];
   }
 }
 
-double TimeIntegrator::at_instant(LocalIndex row, double end_value) const {
+void TimeIntegrator::set_bend(LocalIndex row, double at_instant, double at_end) {
   const auto r = static_cast<std::size_t>(row);
-  if (rule_[r] == RateRule::none || present_.alpha_f == 1) return end_value;
-  return history_.value[r] + present_.alpha_f * (end_value - history_.value[r]);
+  if (rule_[r] == RateRule::none) return;
+  const double past = history_.value[r];
+  bend_[r] = at_instant - past - present_.alpha_f * (at_end - past);
 }
 
 // Not to be rounded where there is nothing to extrapolate.
 double TimeIntegrator::end_value(const State& state, std::size_t row) const {
   if (rule_[row] == RateRule::none || present_.alpha_f == 1) return state.value[row];
-  return history_.value[row] + (state.value[row] - history_.value[row]) / present_.alpha_f;
+  return history_.value[row] +
+         (state.value[row] - bend_[row] - history_.value[row]) / present_.alpha_f;
 }
 
 double TimeIntegrator::end_rate(const State& state, std::size_t row) const {

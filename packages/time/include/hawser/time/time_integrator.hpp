@@ -55,8 +55,13 @@ class TimeIntegrator {
   void update_rates(State& state) const;
   /// Values and rates at the end of the step from those at the instant of the equations.
   void extrapolate(const State& state, State& end) const;
-  /// The value at the equations' instant of an unknown that ends the step with `end_value`.
-  double at_instant(LocalIndex row, double end_value) const;
+  /// Whether the equations stand at the end of the step.
+  bool at_end() const { return present_.alpha_f == 1; }
+  /// A prescribed unknown's values at the equations' instant and at the end of the step. What the
+  /// first has over the straight line to the second counts in the value, and not in its rate.
+  void set_bend(LocalIndex row, double at_instant, double at_end);
+  /// Per local row, to be spread from the owned ones.
+  std::vector<double>& bend() { return bend_; }
   void accept(const State& state);
 
   /// The step's error of the velocities and the like, relative to the field (its value and what its
@@ -81,6 +86,7 @@ class TimeIntegrator {
   std::vector<char> is_partner_;     // per local row: 1 for a velocity that a structure follows
   TimeHistory history_;
   Kinematics kinematics_;
+  std::vector<double> bend_;        // per local row: of a prescribed motion, see set_bend
   std::vector<double> known_rate_;  // per local row: what the past adds to the rate of this step
   StepCoefficients present_;        // of the step being made
   double step_ = 0;
