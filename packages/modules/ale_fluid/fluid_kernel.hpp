@@ -42,6 +42,7 @@ template <int D, class Force>
 class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
  public:
   static constexpr int dimension = D;
+  static constexpr int memory = D;  // the subscale velocity, m/s
   static constexpr std::array<FieldUse, 3> uses = {
       StandardFields<D>::velocity.only(Basis::p1).as(Role::adds,
                                                      need::value | need::rate | need::gradient),
@@ -63,52 +64,80 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
     const double rho = properties_.density;
     const double mu = properties_.viscosity;
     const auto v = at[velocity];
-    const auto p = at[pressure];
-    const auto d = at[displacement];
-    Vector<T, D> convection;  // c = v - w, relative to the mesh
-    for (int i = 0; i < D; ++i)
-      convection[i] = v.value[i] - d.rate[i];
-    const Vector<T, D> convected = multiply(v.gradient, convection);
-    Vector<T, D> inertia;  // rho (dv/dt + c . grad v - b)
-    for (int i = 0; i < D; ++i)
-      inertia[i] = rho * (v.rate[i] + convected[i] - force_(i, at, d));
-    const T divergence = trace(v.gradient);
-
-    const Scales<T> tau = time_scales<T>(at, convection);
-    Vector<T, D>
-        subscale;  // tau_M times the strong residual; the viscous term vanishes for linear shapes
-    for (int i = 0; i < D; ++i)
-      subscale[i] = tau.momentum * (inertia[i] + p.gradient[i]);
-    const T mean_stress = rho * tau.continuity * divergence - p.value;
+    const Balance<T> balance = balance_at<T>(at);
+    const T mean_stress = rho * balance.continuity_scale * trace(v.gradient) - at[pressure].value;
 
     Tensor<T, D> stress;
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j)
-        stress(i, j) = mu * (v.gradient(i, j) + v.gradient(j, i)) + subscale[i] * convection[j];
+        stress(i, j) = mu * (v.gradient(i, j) + v.gradient(j, i)) -
+                       rho * balance.subscale[i] * balance.convection[j];
     for (int i = 0; i < D; ++i)
       stress(i, i) += mean_stress;
 
-    out[velocity].source = inertia;
-    out[velocity].flux = stress;
-    out[pressure].source = divergence;
     for (int i = 0; i < D; ++i)
-      out[pressure].flux[i] = subscale[i] / rho;
+      out[velocity].source[i] = balance.inertia[i] + rho * balance.subscale_rate[i];
+    out[velocity].flux = stress;
+    out[pressure].source = trace(v.gradient);
+    for (int i = 0; i < D; ++i)
+      out[pressure].flux[i] = -balance.subscale[i];
+  }
+
+  template <class Point>
+  void moved_advance(const Point& at, double* next) const {
+    const Balance<double> balance = balance_at<double>(at);
+    for (int i = 0; i < D; ++i)
+      next[i] = balance.subscale[i];
   }
 
   std::vector<double> sample_amplitudes() const override { return {1.0, 100.0, 0.05}; }
 
  private:
   template <class T>
+  struct Balance {
+    Vector<T, D> convection;     ///< c = v - w, relative to the mesh, m/s
+    Vector<T, D> inertia;        ///< rho (dv/dt + c . grad v - b), N/m^3
+    Vector<T, D> subscale;       ///< v', m/s
+    Vector<T, D> subscale_rate;  ///< m/s^2
+    T continuity_scale;          ///< tau_C, m^2/s
+  };
+
+  /// rho dv'/dt + rho v'/tau_M = -R, by implicit Euler from the instant of the last equations. The
+  /// viscous part of the strong residual R vanishes for linear shapes.
+  template <class T, class Point>
+  Balance<T> balance_at(const Point& at) const {
+    const double rho = properties_.density;
+    const auto v = at[velocity];
+    const auto p = at[pressure];
+    const auto d = at[displacement];
+    Balance<T> result;
+    for (int i = 0; i < D; ++i)
+      result.convection[i] = v.value[i] - d.rate[i];
+    const Vector<T, D> convected = multiply(v.gradient, result.convection);
+    const Scales<T> tau = time_scales<T>(at, result.convection);
+    result.continuity_scale = tau.continuity;
+    const double per_step = 1 / at.elapsed;  // 0 in a steady solve
+    const T effective = 1.0 / (per_step + 1.0 / tau.momentum);
+    for (int i = 0; i < D; ++i) {
+      result.inertia[i] = rho * (v.rate[i] + convected[i] - force_(i, at, d));
+      const T strong_residual = result.inertia[i] + p.gradient[i];
+      result.subscale[i] = effective * (per_step * at.memory[i] - strong_residual / rho);
+      result.subscale_rate[i] = per_step * (result.subscale[i] - at.memory[i]);
+    }
+    return result;
+  }
+
+  template <class T>
   struct Scales {
     T momentum;    ///< s
     T continuity;  ///< m^2/s
   };
 
-  /// tau_M = (4/dt^2 + c.G c + C nu^2 G:G)^-1/2,  tau_C = w (c.G c + C nu^2 G:G)^1/2 / tr G.
+  /// tau_M = (c.G c + C nu^2 G:G)^-1/2,  tau_C = w (c.G c + C nu^2 G:G)^1/2 / tr G.
   /// G is the metric of the moved cell, 4/h^2 for an equilateral one or a square of edge h: it is
   /// taken from the regular cell, so that the numbering of vertices does not matter. The step
-  /// stays out of tau_C: short steps would lock the volume of the cells at a sharp edge and raise
-  /// the drag.
+  /// stays out of both: the subscale has a rate of its own, and in tau_C short steps would lock the
+  /// volume of the cells at a sharp edge and raise the drag.
   template <class T, class Point>
   Scales<T> time_scales(const Point& at, const Vector<T, D>& convection) const {
     constexpr double inverse_estimate = 36.0;  // of linear shapes
@@ -130,7 +159,7 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
     const T steady = dot(convection, metric_c) + inverse_estimate * nu * nu * metric_squared;
     using std::sqrt;
     Scales<T> scales;
-    scales.momentum = 1.0 / sqrt(4.0 / (at.step * at.step) + steady);
+    scales.momentum = 1.0 / sqrt(steady);
     scales.continuity = continuity_weight * sqrt(steady) / trace(metric);
     return scales;
   }

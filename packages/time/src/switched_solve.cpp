@@ -16,6 +16,7 @@ void append(NonlinearReport& report, const NonlinearReport& later) {
   report.factorizations += later.factorizations;
   report.history.insert(report.history.end(), later.history.begin(), later.history.end());
   report.ratios.insert(report.ratios.end(), later.ratios.begin(), later.ratios.end());
+  report.criteria.insert(report.criteria.end(), later.criteria.begin(), later.criteria.end());
 }
 
 }  // namespace

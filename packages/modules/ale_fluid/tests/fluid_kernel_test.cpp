@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "sample_cell.hpp"
 
@@ -42,7 +44,7 @@ TEST(FluidKernel, HydrostaticWaterIsInBalance) {
   for (const double* values :
        std::initializer_list<const double*>{zero.data(), pressure.data(), zero.data()})
     fields.push_back({values, zero.data(), zero.data(), zero.data(), zero.data()});
-  CellInput cell{0, 0.1, triangle.data(), fields.data()};
+  const CellInput cell{0, 0.1, triangle.data(), fields.data(), zero.data(), 0.1};
   double residual[15];
   ASSERT_EQ(kernel.residual(cell, residual), CellStatus::ok);
   for (int a = 0; a < 3; ++a)
@@ -74,7 +76,7 @@ TEST(FluidKernel, TheNumberingOfVerticesDoesNotMatter) {
     for (const double* values :
          std::initializer_list<const double*>{v.data(), p.data(), zero.data()})
       fields.push_back({values, zero.data(), zero.data(), zero.data(), zero.data()});
-    const CellInput cell{0, 0.1, X.data(), fields.data()};
+    const CellInput cell{0, 0.1, X.data(), fields.data(), zero.data(), 0.1};
     std::vector<double> result(15);
     EXPECT_EQ(kernel.residual(cell, result.data()), CellStatus::ok);
     return result;
@@ -86,6 +88,50 @@ TEST(FluidKernel, TheNumberingOfVerticesDoesNotMatter) {
       EXPECT_NEAR(second[2 * a + j], first[2 * from + j], 1e-8);
     EXPECT_NEAR(second[6 + a], first[6 + from], 1e-11);
   }
+}
+
+/// Water at rest on one cell under a pressure gradient of 3 Pa/m along x: the strong residual.
+struct PushedWater {
+  FluidKernel<2, UniformForce<2>> kernel{"water", {1000, 300}, UniformForce<2>{}};
+  std::vector<double> zero = std::vector<double>(6, 0), pressure = {0, 12, 3}, memory = zero;
+  std::vector<FieldOnCell> fields;
+
+  PushedWater() {
+    kernel.bind(
+        tabulate_cell({Basis::p1, Basis::p1, Basis::p1}, quadrature(CellShape::triangle, 2)));
+    for (const double* values : {zero.data(), pressure.data(), zero.data()})
+      fields.push_back({values, zero.data(), zero.data(), zero.data(), zero.data()});
+  }
+  /// The subscale along x at the first point, `elapsed` s later.
+  double advance(double elapsed) {
+    std::vector<double> next(6);
+    kernel.advance_memory({0, elapsed, triangle.data(), fields.data(), memory.data(), elapsed},
+                          next.data());
+    memory = next;
+    return next[0];
+  }
+};
+
+// rho dv'/dt + rho v'/tau = -grad p.
+TEST(FluidKernel, TheSubscaleFollowsItsOwnEquation) {
+  ASSERT_EQ(PushedWater().kernel.memory_per_cell(), 6);
+  const double steady = PushedWater().advance(std::numeric_limits<double>::infinity());
+  const double tau = -steady / (3.0 / 1000);
+  EXPECT_GT(tau, 0);
+  const double brief = 1e-6 * tau;
+  EXPECT_NEAR(PushedWater().advance(brief), -brief * 3 / 1000, 1e-5 * brief);
+  for (const double step : {0.1 * tau, tau, 10 * tau}) {  // the same limit at any step
+    PushedWater water;
+    double subscale = 0;
+    for (int n = 1; n <= 400; ++n)
+      subscale = water.advance(step);
+    EXPECT_NEAR(subscale, steady, 1e-12 * tau);
+  }
+  PushedWater water;
+  double subscale = 0;
+  for (int n = 0; n < 1000; ++n)
+    subscale = water.advance(tau / 1000);
+  EXPECT_NEAR(subscale, steady * (1 - std::exp(-1.0)), -1e-3 * steady);
 }
 
 }  // namespace
