@@ -85,7 +85,7 @@ def fluid_in_time(name, title, d, header, more=()):
 {moving_water(d, v, p)}
   <time scheme="newmark" step="0.05" end="1"/>
 {errors("water", velocity=v, pressure=p)}
-{orders("time", 4, **{q: (0.9, "1: gamma above 0.5") for q in quantities})}""")
+{orders("time", 6, **{q: (0.9, "1: gamma above 0.5") for q in quantities})}""")
     schemes(name, title, quantities)
 
 
@@ -225,7 +225,7 @@ def coupled_time():
          "load": text(*cable_load(place, Y, 1, 10, damping=sp.Rational(1, 2))),
          "mesh": f'\n                 body-force="{text(*mesh_force(d))}"', "corner": text(p)},
         '  <time scheme="newmark" step="0.05" end="1"/>',
-        orders("time", 3, **{q: (0.9, "1: gamma above 0.5") for q in ("v_error_l2", "p_error_l2", "cable_error_l2")}))
+        orders("time", 4, **{q: (0.9, "1: gamma above 0.5") for q in ("v_error_l2", "p_error_l2", "cable_error_l2")}))
     schemes("coupled_time", title, ["v_error_l2", "p_error_l2", "cable_error_l2"])
 
 

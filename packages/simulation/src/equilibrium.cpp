@@ -23,6 +23,28 @@ TimeScheme scheme_of(TimeScheme::Method method) {
   return scheme;
 }
 
+constexpr double lost = 1e3;          // sizes of the mesh: a structure that far away is held by nothing
+
+/// The largest displacement over the size of the mesh. Where nothing holds a structure its weight is
+/// small against the tensions of an absurd shape, and a residual relative to them says nothing.
+double farthest(const System& system, const State& state) {
+  const DofMap& dofs = *system.dofs;
+  const Communicator& all = dofs.mesh().communicator;
+  const int displacement = dofs.find(field_name::displacement);
+  double largest = 0, low = 0, high = 0;
+  for (LocalIndex row = 0; row < dofs.owned(); ++row) {
+    const RowInfo& info = dofs.info(row);
+    if (info.field != displacement) continue;
+    double x[3];
+    dofs.position(row, x);
+    low = std::min(low, x[info.component]);
+    high = std::max(high, x[info.component]);
+    largest = std::max(largest, std::abs(state.value[static_cast<std::size_t>(row)]));
+  }
+  const double size = all.max(high) + all.max(-low);
+  return size > 0 ? all.max(largest) / size : 0;
+}
+
 /// Solves one after the other with one scheme, each from a given state.
 class Solves {
  public:
@@ -96,7 +118,9 @@ class Search {
     const bool found = steady_.solve(state_, 0, done);
     tell_(done);
     if (!found) why_ = done.why;
-    return found;
+    if (!found || farthest(system_, state_) < lost) return found;
+    throw SolveError("no equilibrium: what the statics find is a thousand times further away than the "
+                     "mesh is large, so that some structure is held by nothing");
   }
 
   void relax() {

@@ -129,7 +129,8 @@ Attempt Stepper::advance(double longest) {
     return told(std::move(attempt));
   }
   EnergyAccount energy = system_->energy->after_step(*system_->problem);
-  if (system_->energy->grows(energy, case_.deck().time.energy_growth)) {
+  const double growth = case_.deck().time.energy_growth;
+  if (growth > 0 && system_->energy->grows(energy, growth)) {
     const std::string unit = std::string("J") + system_->mesh.per_depth();
     attempt.why = "energy grows without work: " + write_value(-energy.time_dissipation) + " " +
                   unit + " since the start, of " + write_value(energy.first + energy.done) + " " +

@@ -72,10 +72,10 @@ Spec<TimeDeck> TimeDeck::spec() {
       .attribute("grow-after", &P::grow_after, at_least(1),
                  "Accepted steps in a row after which a cut step is doubled again.")
       .attribute(
-          "energy-growth", &P::energy_growth, "1", positive(),
+          "energy-growth", &P::energy_growth, "1", non_negative(),
           "A step is rejected in which the time scheme makes energy out of nothing, once all "
           "that it has made is more than this share of the work done and of the energy at "
-          "the start.")
+          "the start; 0 to let it be.")
       .child(&P::targets, adapt_spec())
       .location(&P::location)
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {

@@ -64,8 +64,8 @@ TEST(CoupledProblem, HoldsPrescribedValuesAtTheInstantAndAtTheEnd) {
   sample.problem.finish_step(*sample.problem.guess());
   for (const LocalIndex row : sample.held()) {
     const auto r = static_cast<std::size_t>(row);
-    EXPECT_NEAR(sample.problem.end().value[r], 4, 1e-14);                  // 3 + 2*0.5
-    EXPECT_NEAR(sample.problem.state().value[r], 1 + alpha_f * 3, 1e-14);  // between 1 and 4
+    EXPECT_NEAR(sample.problem.end().value[r], 4, 1e-14);                        // 3 + 2*0.5
+    EXPECT_NEAR(sample.problem.state().value[r], 3 + 2 * 0.5 * alpha_f, 1e-14);  // at the instant
     EXPECT_EQ(sample.integrator.history().value[r], 1);
   }
   sample.problem.accept();

@@ -38,7 +38,7 @@ class SampleStep {
     const FieldOnCell fields[] = {
         {zero.data(), zero.data(), zero.data(), zero.data(), zero.data()},
         {now.data(), zero.data(), before_.data(), zero.data(), zero.data()}};
-    const CellInput cell{0, 0.1, X_.data(), fields, share, true, false};
+    const CellInput cell{0, 0.1, X_.data(), fields, nullptr, 0.1, share, true, false};
     EXPECT_EQ(kernel_.residual(cell, residual.data()), CellStatus::ok);
     double sum = 0;
     for (std::size_t i = 0; i < n; ++i)
