@@ -11,8 +11,9 @@
 
 namespace hawser {
 
-/// One cell in an admissible state, with something to remember, at the end of a step or within it, its
-/// law on its own branch or on one that is held. Rates follow values: rate = slope value + partner v
+/// One cell in an admissible state, with something to remember, at the end of a step or within it,
+/// its law on its own branch or on one that is held. Rates follow values: rate = slope value +
+/// partner v
 /// + rest.
 class SampleCell {
  public:

@@ -115,15 +115,8 @@ CellGatherer::CellGatherer(const KernelCells& cells, const Mesh& mesh, const Sta
     fields_.push_back(
         {&value_[first], &rate_[first], &accepted_[first], &slope_[first], &partner_[first]});
   }
-  input_ = {state.time,
-            state.step,
-            coordinates_.data(),
-            fields_.data(),
-            nullptr,
-            state.elapsed,
-            state.share,
-            state.bounds_energy,
-            false};
+  input_ = {state.time,    state.step,  coordinates_.data(), fields_.data(), nullptr,
+            state.elapsed, state.share, state.bounds_energy, false};
 }
 
 const CellInput& CellGatherer::gather(LocalIndex cell) {

@@ -23,10 +23,10 @@ TimeScheme scheme_of(TimeScheme::Method method) {
   return scheme;
 }
 
-constexpr double lost = 1e3;          // sizes of the mesh: a structure that far away is held by nothing
+constexpr double lost = 1e3;  // sizes of the mesh: a structure that far away is held by nothing
 
-/// The largest displacement over the size of the mesh. Where nothing holds a structure its weight is
-/// small against the tensions of an absurd shape, and a residual relative to them says nothing.
+/// The largest displacement over the size of the mesh. Where nothing holds a structure its weight
+/// is small against the tensions of an absurd shape, and a residual relative to them says nothing.
 double farthest(const System& system, const State& state) {
   const DofMap& dofs = *system.dofs;
   const Communicator& all = dofs.mesh().communicator;
@@ -119,8 +119,9 @@ class Search {
     tell_(done);
     if (!found) why_ = done.why;
     if (!found || farthest(system_, state_) < lost) return found;
-    throw SolveError("no equilibrium: what the statics find is a thousand times further away than the "
-                     "mesh is large, so that some structure is held by nothing");
+    throw SolveError(
+        "no equilibrium: what the statics find is a thousand times further away than the "
+        "mesh is large, so that some structure is held by nothing");
   }
 
   void relax() {

@@ -11,10 +11,10 @@ struct State {
   double step = 0;  ///< s; the step that led here; infinite in a steady solve
   /// s, from the instant of the last accepted equations to `time`; infinite in a steady solve.
   double elapsed = 0;
-  double share = 1;              ///< of the step after which it stands: 1 at the end
-  bool bounds_energy = false;    ///< forces do at least the work that their energy gains in the step
-  std::vector<double> value;     ///< per local row
-  std::vector<double> rate;      ///< d/dt at fixed reference point; 0 for fields without a rate
+  double share = 1;            ///< of the step after which it stands: 1 at the end
+  bool bounds_energy = false;  ///< forces do at least the work that their energy gains in the step
+  std::vector<double> value;   ///< per local row
+  std::vector<double> rate;    ///< d/dt at fixed reference point; 0 for fields without a rate
   std::vector<double> accepted;  ///< values at the last accepted step
 
   // How a rate follows from the unknowns at the same node: d rate / d value, and for a structure's

@@ -112,7 +112,7 @@ class ElementKernel : public Kernel {
     }
     double elapsed() const { return cell->elapsed; }        ///< s, since the instant of the memory
     double memory(int i) const { return cell->memory[i]; }  ///< of the last accepted step
-    double time() const { return cell->time; }  ///< s
+    double time() const { return cell->time; }              ///< s
     /// At the last accepted step.
     double accepted(int field, int node, int component) const {
       return nodal(index(field, node, component), &FieldOnCell::accepted);
