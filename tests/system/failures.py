@@ -54,13 +54,13 @@ class Failures(SystemTest):
 
     def test_an_expression_that_is_not_a_number(self):
         begin = edited("nan_at_the_start", initial_value="0; -0.5*sqrt(-1-t)")
-        later = edited("nan_later", prescribe_value="0; -0.5*sqrt(50-t)", time_least_step="20")
+        later = edited("nan_later", prescribe_value="0; -0.07*sqrt(50-t)", time_least_step="20")
         for ranks in RANKS:
             self.assertFails(6, r".*nan_at_the_start.xml:\d+:\d+: the expression '-0.5\*sqrt\(-1-t\)' is not a "
                                 r"number at x = .*, y = .* m, t = 0 s", ranks,
                              "run", begin, "-q", "-o", fresh("nan_at_the_start"))
             folder = fresh("nan_later")
-            self.assertFails(6, r".*nan_later.xml:\d+:\d+: the expression '-0.5\*sqrt\(50-t\)' is not a number at "
+            self.assertFails(6, r".*nan_later.xml:\d+:\d+: the expression '-0.07\*sqrt\(50-t\)' is not a number at "
                                 r"x = .*, y = .* m, t = 60 s; the least step was reached, .*checkpoint.h5",
                              ranks, "run", later, "-q", "-o", folder)
             self.assertEqual(list(Results(folder).history()["t_s"]), [20, 40])
