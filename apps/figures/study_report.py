@@ -57,16 +57,22 @@ def case_rows(sweep):
     return table(["case", "what", "state", *(label for _, label, _ in known), "wall (s)", "CPU (s)"], rows)
 
 
+def by_value(sweep):
+    """The runs of a sweep that varies one value, with that value, ascending; none where it varies others."""
+    if len(sweep.varied) != 1:
+        return []
+    runs = [(number(case.values[sweep.varied[0]]), case) for case in sweep.finished]
+    return sorted((run for run in runs if run[0] is not None), key=lambda run: run[0])
+
+
 def curves(sweep, figures):
     """Errors and forces over the one value that a sweep varies."""
-    if len(sweep.varied) != 1:
-        return
-    path = sweep.varied[0]
-    points = sorted((number(c.values[path]), c) for c in sweep.finished if number(c.values[path]) is not None)
+    points = by_value(sweep)
     shown = [q for q in QUANTITIES if q[0] in ("end_error_m", "total_error_arc_m", "tow_force_n_per_m")
              and all(math.isfinite(case.quantity(q[0])) for _, case in points)]
     if len(points) < 2 or not shown:
         return
+    path = sweep.varied[0]
     unit = " ".join(str(points[0][1].values[path]).split()[1:])
     figure, panels = plt.subplots(1, len(shown), figsize=(4.4 * len(shown), 3.6), squeeze=False)
     x = [value for value, _ in points]
@@ -81,11 +87,9 @@ def curves(sweep, figures):
 
 def limits(sweep):
     """Where a sweep refines the step or the mesh in one ratio: what its quantities tend to, by the three finest runs."""
-    if len(sweep.varied) != 1 or sweep.varied[0] not in REFINED:
-        return ""
-    runs = sorted(((number(c.values[sweep.varied[0]]), c) for c in sweep.finished), key=lambda run: -run[0])[-3:]
+    runs = by_value(sweep)[2::-1]
     sizes = [size for size, _ in runs]
-    if len(runs) < 3 or not math.isclose(sizes[0] / sizes[1], sizes[1] / sizes[2], rel_tol=1e-3):
+    if len(runs) < 3 or sweep.varied[0] not in REFINED or not math.isclose(sizes[0] / sizes[1], sizes[1] / sizes[2], rel_tol=1e-3):
         return ""
     rows = []
     for name, label, form in QUANTITIES:

@@ -6,6 +6,9 @@ from typing import NamedTuple
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "apps/figures"))
 import deep_tow as dt  # noqa: E402
+import deep_tow_forces  # noqa: E402
+import study_report  # noqa: E402
+from study_results import Case as Run  # noqa: E402
 
 
 class Sweep(NamedTuple):
@@ -73,6 +76,40 @@ class Limits(unittest.TestCase):
             self.assertIsNone(limit.order)
             self.assertEqual(limit.value, values[-1])
             self.assertEqual(limit.uncertainty, 3 * (max(values) - min(values)))
+
+
+def run(force, **values):
+    return Run("", "", "", Path(), values, "finished", 0, "", 0, 0, {"tow_force_n_per_m": force})
+
+
+class Refined(NamedTuple):
+    varied: list
+    finished: list
+
+
+class StepAndBox(unittest.TestCase):
+    TOW = {"current": "0.5 m/s", "tow_angle": "30 deg"}
+
+    def test_each_is_compared_with_the_same_tow_on_the_same_mesh(self):
+        fine = run(90, mesh_scale="0.5", **self.TOW)
+        coarser = Sweep([], [run(100, mesh_scale="1", **self.TOW), run(95, mesh_scale="0.7071", **self.TOW)])
+        changed = {"step": Sweep([], [run(7, current="1 m/s", tow_angle="30 deg"), run(102, **self.TOW)]),
+                   "box": Sweep([], [])}
+        found = deep_tow_forces.effects(fine, coarser, changed)
+        self.assertAlmostEqual(found["step"], 0.02)
+        self.assertIsNone(found["box"])
+        limit = deep_tow_forces.with_effects(dt.GridLimit(None, 90, 3), found)
+        self.assertAlmostEqual(limit.uncertainty, 3 + 2.5 * 0.02 * 90)
+
+    def test_the_three_finest_runs_of_a_refined_value_have_a_limit(self):
+        runs = [run(10 + 0.1 * step, step=f"{step} s") for step in (40, 2.5, 20, 5, 10)]
+        self.assertIn("<td>1.00</td><td>10 ± 0</td>", study_report.limits(Refined(["step"], runs)))
+
+    def test_other_values_have_none(self):
+        runs = [run(1, **{"viscosity": f"{v} Pa s", "step": s}) for v, s in ((100, "4 s"), (200, "2 s"), (400, "h/2"))]
+        self.assertEqual(study_report.limits(Refined(["viscosity"], runs)), "")
+        self.assertEqual(study_report.limits(Refined(["step"], runs)), "")
+        self.assertEqual(study_report.limits(Refined(["step", "viscosity"], runs)), "")
 
 
 if __name__ == "__main__":
