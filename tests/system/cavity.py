@@ -38,7 +38,7 @@ class Cavity(SystemTest):
         done = hawser(1, "run", DECK, "-o", fresh("alone"), "--set", "solver/newton/pseudo-step=0",
                       "--set", "mesh/water-box/cells=64 64")
         self.assertEqual(done.returncode, 6)
-        self.assertRegex(done.stderr, "no admissible step|the residual diverges")
+        self.assertIn("the residual diverges", done.stderr)
 
 
 if __name__ == "__main__":
