@@ -63,7 +63,7 @@ void CoupledProblem::prescribe() {
   std::vector<PrescribedRow> rows = conditions_.prescribed(state_, end_);
   if (!integrator_.at_end()) {
     // Values at the equations' own instant: averages over the step would carry a net flow through
-    // a closed boundary that deforms (doc/decisions/0051-prescribed-at-the-instant.md).
+    // a closed boundary that deforms (doc/decisions/0052-prescribed-at-the-instant.md).
     std::vector<PrescribedRow> now = conditions_.prescribed(state_, state_);
     for (std::size_t i = 0; i < now.size(); ++i)
       integrator_.set_bend(now[i].row, now[i].value, rows[i].value);

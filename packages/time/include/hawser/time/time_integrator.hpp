@@ -12,9 +12,8 @@
 //                    s = dt/(dt + dt_n): second order at the instant with a memory of one step, so
 //                    that a kink in d is forgotten after two. On a structure's nodes w is the
 //                    velocity itself: no flow through the cable.
-//   BDF2             alpha_m = alpha_f = 1, and all rates are that difference, u' = q + s (q -
-//   q_n);
-//                    structures: d' = v. L-stable: what is fast is gone after a few steps.
+//   BDF2             alpha_m = alpha_f = 1, and all rates are that difference; structures: d' = v.
+//                    L-stable: what is fast is gone after a few steps.
 // The first step is one of implicit Euler unless the deck's initial rates are to be trusted: the
 // accelerations after it are those of the equations, and the values stay of second order.
 #include <optional>
