@@ -17,6 +17,7 @@ class EnergyReport : public Report {
 
   std::vector<Column> columns() const override;
   std::string closing() const override;
+  bool looks_at_energy() const override { return true; }
 
  private:
   std::vector<double> measure(const Step& step) override;

@@ -16,14 +16,13 @@ constexpr int quick = 5, slow = 10;   // iterations: the next step is four times
 constexpr double settled = 0.05;      // change in a step: Newton's method may try again ...
 constexpr double more_settled = 0.2;  // ... and next time at this share of it, ...
 constexpr int patience = 10;          // ... or after so many steps
+constexpr double lost = 1e3;  // sizes of the mesh: a structure that far away is held by nothing
 
 TimeScheme scheme_of(TimeScheme::Method method) {
   TimeScheme scheme;
   scheme.method = method;
   return scheme;
 }
-
-constexpr double lost = 1e3;  // sizes of the mesh: a structure that far away is held by nothing
 
 /// The largest displacement over the size of the mesh. Where nothing holds a structure its weight
 /// is small against the tensions of an absurd shape, and a residual relative to them says nothing.

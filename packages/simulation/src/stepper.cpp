@@ -44,7 +44,7 @@ void Stepper::build(const std::string& mesh_file) {
   control_->resume(header.numbers.at("control_step_s"),
                    static_cast<int>(header.numbers.at("control_successes")));
   system_->reports->resume(header);
-  system_->energy->resume(header.part("energy."));
+  if (system_->energy) system_->energy->resume(header.part("energy."));
   number_ = header.step;
   start_iterations_ = static_cast<long long>(header.numbers.at("start_newton_iterations"));
   started_ = true;
@@ -74,7 +74,7 @@ void Stepper::find_equilibrium() {
                         ? continue_equilibrium(case_, mesh_file_, *system_, options, tell)
                         : hawser::find_equilibrium(*system_, options, tell);
   problem.start();
-  system_->energy->start(problem.state());
+  if (system_->energy) system_->energy->start(problem.state());
 }
 
 bool Stepper::finished() const { return control_->finished(time()); }
@@ -97,7 +97,8 @@ void Stepper::accept(const Attempt& attempt) {
   problem.accept();
   last_.reset(new Step{++number_, attempt.length, finished(), attempt.local_error,
                        attempt.newton.iterations, attempt.newton.linear_iterations, problem.end(),
-                       problem.state(), problem.reactions(), &system_->energy->account()});
+                       problem.state(), problem.reactions(),
+                       system_->energy ? &system_->energy->account() : nullptr});
   system_->reports->accepted(*last_);
 }
 
@@ -109,6 +110,12 @@ Attempt Stepper::told(Attempt attempt) {
   return attempt;
 }
 
+Attempt Stepper::cut(Attempt attempt) {
+  attempt = told(std::move(attempt));
+  if (control_->rejected(attempt.length)) return attempt;
+  throw SolveError(attempt.why + "; the least step was reached");
+}
+
 Attempt Stepper::advance(double longest) {
   start();
   Attempt attempt;
@@ -117,10 +124,9 @@ Attempt Stepper::advance(double longest) {
     attempt.newton = solve(attempt.length);
   } catch (const SolveError& error) {
     attempt.why = error.what();
-    attempt = told(std::move(attempt));
-    if (case_.deck().time.single_solve()) throw;
-    if (control_->rejected(attempt.length)) return attempt;
-    throw SolveError(attempt.why + "; the least step was reached");
+    if (!case_.deck().time.single_solve()) return cut(std::move(attempt));
+    told(std::move(attempt));
+    throw;
   }
   attempt.local_error = system_->integrator->local_error(system_->problem->state());
   const StepOutcome outcome{attempt.local_error, attempt.newton.iterations};
@@ -128,18 +134,18 @@ Attempt Stepper::advance(double longest) {
     attempt.why = "local error " + write_value(*attempt.local_error);
     return told(std::move(attempt));
   }
-  EnergyAccount energy = system_->energy->after_step(*system_->problem);
-  const double growth = case_.deck().time.energy_growth;
-  if (growth > 0 && system_->energy->grows(energy, growth)) {
-    const std::string unit = std::string("J") + system_->mesh.per_depth();
-    attempt.why = "energy grows without work: " + write_value(-energy.time_dissipation) + " " +
-                  unit + " since the start, of " + write_value(energy.first + energy.done) + " " +
-                  unit;
-    attempt = told(std::move(attempt));
-    if (control_->rejected(attempt.length)) return attempt;
-    throw SolveError(attempt.why + "; the least step was reached");
+  if (EnergyLedger* const ledger = system_->energy.get()) {
+    EnergyAccount energy = ledger->after_step(*system_->problem);
+    const double growth = case_.deck().time.energy_growth;
+    if (growth > 0 && ledger->grows(energy, growth)) {
+      const std::string unit = std::string("J") + system_->mesh.per_depth();
+      attempt.why = "energy grows without work: " + write_value(-energy.time_dissipation) + " " +
+                    unit + " since the start, of " + write_value(energy.first + energy.done) + " " +
+                    unit;
+      return cut(std::move(attempt));
+    }
+    ledger->accept(std::move(energy));
   }
-  system_->energy->accept(std::move(energy));
   control_->accepted(attempt.length, outcome);
   attempt.accepted = true;
   accept(attempt);
@@ -216,7 +222,7 @@ void Stepper::save(const std::string& checkpoint) {
   header.numbers["control_successes"] = control_->successes();
   header.numbers["start_newton_iterations"] = static_cast<double>(start_iterations_);
   system_->reports->save(header);
-  header.add("energy.", system_->energy->save());
+  if (system_->energy) header.add("energy.", system_->energy->save());
   header.texts["deck"] = case_.text().text;
   header.texts["deck_file"] = case_.text().file;
   Summary provenance;

@@ -63,8 +63,13 @@ std::unique_ptr<System> build_system(const Case& run_case, const std::string& me
   system->conditions->set_initial(system->problem->state());
   if (!run_case.checkpoint() && deck.start.from) take_over(run_case, *system);
   system->problem->start();
-  system->energy = std::make_unique<EnergyLedger>(*system->assembler);
-  system->energy->start(system->problem->state());
+  const auto& reports = system->reports->all();
+  if (deck.time.energy_growth > 0 || std::any_of(reports.begin(), reports.end(), [](const auto& r) {
+        return r->looks_at_energy();
+      })) {
+    system->energy = std::make_unique<EnergyLedger>(*system->assembler);
+    system->energy->start(system->problem->state());
+  }
   if (deck.time.steady())
     check_steady(*system, deck.solver.linear, deck.time.end, deck.time.location);
   else if (deck.start.equilibrium)

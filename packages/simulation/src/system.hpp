@@ -25,7 +25,7 @@ struct System {
   std::unique_ptr<Conditions> conditions;
   std::unique_ptr<TimeIntegrator> integrator;
   std::unique_ptr<CoupledProblem> problem;
-  std::unique_ptr<EnergyLedger> energy;
+  std::unique_ptr<EnergyLedger> energy;  ///< none where neither the deck nor a report asks for it
   std::unique_ptr<NonlinearDriver> driver;
   std::unique_ptr<Reports> reports;
   std::vector<std::string> notes;  ///< worth a user's look

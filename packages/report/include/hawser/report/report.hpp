@@ -27,7 +27,7 @@ struct Step {
   const State& end;      ///< at the end of the step
   const State& balance;  ///< at the instant of the equations: pressures and forces stand here
   const std::vector<double>& reactions;  ///< per owned row, what supports must supply; at `balance`
-  const EnergyAccount* energy = nullptr;  ///< at the end of the step
+  const EnergyAccount* energy = nullptr;  ///< at the end of the step; none where nobody looks at it
 };
 
 /// What a report is made for, beside its parameters. All but the tracks outlives the report.
@@ -77,6 +77,8 @@ class Report {
   /// Lines for a person at the end; empty when there is nothing to say.
   virtual std::string closing() const { return {}; }
 
+  /// Whether Step::energy is to be kept for it, which costs an evaluation of all kernels per step.
+  virtual bool looks_at_energy() const { return false; }
   /// A line that it has put in order; its grid is written in that order, with the arc length.
   virtual const LineGeometry* line() const { return nullptr; }
   /// Adds fields to the grid of a line region: a value per owned vertex of it, these ascending.

@@ -110,6 +110,8 @@ class Stepper {
   void accept(const Attempt& attempt);
   void find_equilibrium();
   Attempt told(Attempt attempt);
+  /// Tells of a rejected step and shortens the next; SolveError when it cannot be shorter.
+  Attempt cut(Attempt attempt);
 
   Case case_;
   std::unique_ptr<ScratchFolder> scratch_;  // of a mesh made here
