@@ -17,7 +17,7 @@ struct BentSegment {
 
   /// From the vector's components.
   template <class Component>
-  explicit BentSegment(Component&& component) {
+  explicit BentSegment(const Component& component) {
     for (int i = 0; i < D; ++i)
       vector[i] = component(i);
     using std::sqrt;
