@@ -7,7 +7,7 @@ import subprocess
 
 from harness import BUILD, DECKS, ENVIRONMENT, SCRATCH, Results, SystemTest, completed, edited, fresh, hawser, main
 
-CUT = dict(newton_max_iterations="4", time_end="60", output_checkpoint_every="2")  # some steps are rejected
+CUT = dict(newton_max_iterations="2", time_end="60", output_checkpoint_every="2")  # some steps are rejected
 
 
 def on_a_terminal(*arguments, **environment):
@@ -61,7 +61,7 @@ class JsonLog(SystemTest):
                 self.assertEqual([step[key] for step in of("step")], list(history[column]), key)
             self.assertGreater(summary["steps_rejected"], 0)
             self.assertEqual(len(of("rejected")), summary["steps_rejected"])
-            self.assertRegex(of("rejected")[0]["reason"], "Newton: no convergence in 4 iterations")
+            self.assertRegex(of("rejected")[0]["reason"], "Newton: no convergence in 2 iterations")
             self.assertEqual([event["step"] for event in of("output") if event["what"] == "checkpoint"],
                              [step["step"] for step in of("step") if step["step"] % 2 == 0])
             self.assertEqual(events[-1]["event"], "end")
