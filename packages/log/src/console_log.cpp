@@ -9,6 +9,7 @@ namespace hawser {
 namespace {
 
 std::string text(const Criterion& decides) {
+  if (decides.value == 0) return "nothing: all at round-off";
   return fmt::format("{}.{} {} {:.1e} of {:.0e}", decides.block, decides.field, decides.test,
                      decides.value, decides.tolerance);
 }
