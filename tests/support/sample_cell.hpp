@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hawser/physics/kernel.hpp"
@@ -45,6 +48,32 @@ class SampleCell {
     residual.resize(at(unknowns()));
     tangent.resize(residual.size() * residual.size());
     return kernel_.tangent(input(value_), residual.data(), tangent.data());
+  }
+  /// Power residual . velocity, W, and what the terms make of it, supplied ones negative.
+  std::pair<double, double> power() {
+    std::vector<double> residual(at(unknowns()));
+    EXPECT_EQ(kernel_.residual(input(value_), residual.data()), CellStatus::ok);
+    double power = 0;
+    for (std::size_t f = 0; f < kernel_.fields().size(); ++f)
+      if (kernel_.fields()[f].name == std::string_view("velocity"))
+        for (int i = first_[f]; i < first_[f + 1]; ++i)
+          power += residual[at(i)] * value_[at(i)];
+    const std::vector<double> terms = powers();
+    return {power, std::accumulate(terms.begin(), terms.end(), 0.0)};
+  }
+  std::vector<double> powers() {
+    std::vector<double> terms(kernel_.energy_terms().size());
+    kernel_.powers(input(value_), terms.data());
+    return terms;
+  }
+  /// Once all values have gone on for `time` s with the present rates.
+  std::vector<double> energies_after(double time) {
+    input(value_);
+    std::vector<double> value = value_, terms(kernel_.energy_terms().size());
+    for (std::size_t i = 0; i < value.size(); ++i)
+      value[i] += time * rate_[i];
+    kernel_.energies(input(value), terms.data());
+    return terms;
   }
 
  private:
@@ -102,6 +131,22 @@ class SampleCell {
   std::vector<FieldOnCell> fields_;
   CellInput input_;
 };
+
+/// The terms of the energy balance are the power of the residual, and those stored the rate of what
+/// is stored: the worst relative error.
+inline double worst_power_error(const Kernel& kernel, const std::vector<double>& coordinates,
+                                unsigned seed) {
+  SampleCell cell(kernel, coordinates, seed);
+  const auto [power, sum] = cell.power();
+  double worst = std::abs(sum - power) / std::abs(power);
+  const double time = 1e-5;  // s
+  const auto terms = cell.powers(), after = cell.energies_after(time),
+             before = cell.energies_after(-time);
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    if (kernel.energy_terms()[i].kind == EnergyTerm::Kind::stored)
+      worst = std::max(worst, std::abs((after[i] - before[i]) / (2 * time * terms[i]) - 1));
+  return worst;
+}
 
 inline std::vector<double> central_differences(SampleCell& cell) {
   const int n = cell.unknowns();

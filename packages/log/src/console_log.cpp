@@ -62,9 +62,13 @@ void ConsoleLog::stepped(const Step& step, const MeshFigures& mesh, double end) 
   const double left = wall * (end - time) / (time - first_time_);
   terminal_.line(fmt::format(
       "step {:4d}  t {:7g} s  dt {:g} s  Newton {} linear {:3d}  decides {}  quality {:.2f}  "
-      "Courant {:.2f}  wall {:.1f} s  left {:.0f} s",
+      "Courant {:.2f}{}  wall {:.1f} s  left {:.0f} s",
       step.number, time, step.length, step.newton_iterations, step.linear_iterations, decides_,
-      mesh.least_quality, mesh.courant, wall, left));
+      mesh.least_quality, mesh.courant,
+      step.energy != nullptr
+          ? fmt::format("  energy off by {:.0e} of the work", step.energy->residue_of_work_done())
+          : "",
+      wall, left));
   terminal_.bar(std::min(1.0, time / end),
                 fmt::format("t {:g} of {:g} s, {:.0f} s left", time, end, left));
 }

@@ -68,6 +68,8 @@ void JsonLog::stepped(const Step& step, const MeshFigures& mesh, double end) {
         {"factorizations", newton_.factorizations},
         {"decides", decides},
         {"residuals", residuals},
+        {"energy_residue_of_work_done",
+         step.energy != nullptr ? Json(step.energy->residue_of_work_done()) : Json()},
         {"mesh_quality_min", mesh.least_quality},
         {"courant_max", mesh.courant}});
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Incompressible Navier-Stokes flow on a moving mesh, at a quadrature point (theory.md, equations
 // 1-8).
+#include <algorithm>
 #include <array>
 
 #include "hawser/physics/moving_point_kernel.hpp"
@@ -88,6 +89,49 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
     const Balance<double> balance = balance_at<double>(at);
     for (int i = 0; i < D; ++i)
       next[i] = balance.subscale[i];
+  }
+
+  std::vector<EnergyTerm> energy_terms() const override {
+    using Kind = EnergyTerm::Kind;
+    return {{"flow kinetic", Kind::stored},
+            {"body force", Kind::supplied},
+            {"flow", Kind::transported},
+            {"viscosity", Kind::dissipated},
+            {"stabilisation", Kind::numerical}};
+  }
+  /// theory.md, "Energy". What the pressure does on a divergence that the subscales leave belongs to
+  /// the stabilisation.
+  void powers(const CellInput& cell, double* powers) const override {
+    std::fill(powers, powers + 5, 0.0);
+    this->at_moved_points(cell, [&](const auto& at, double weight, double expansion) {
+      const double rho = properties_.density;
+      const auto v = at[velocity];
+      const auto d = at[displacement];
+      const Balance<double> balance = balance_at<double>(at);
+      const double divergence = trace(v.gradient);
+      double kinetic = 0.5 * rho * dot(v.value, v.value) * expansion;
+      double force = 0, carried = -kinetic, viscous = 0;
+      double numerical = (rho * balance.continuity_scale * divergence - at[pressure].value) * divergence;
+      for (int i = 0; i < D; ++i) {
+        kinetic += rho * v.value[i] * v.rate[i];
+        force -= rho * v.value[i] * force_(i, at, d);
+        numerical += rho * v.value[i] * balance.subscale_rate[i];
+        for (int j = 0; j < D; ++j) {
+          carried += rho * v.value[i] * v.gradient(i, j) * balance.convection[j];
+          viscous += properties_.viscosity * (v.gradient(i, j) + v.gradient(j, i)) * v.gradient(i, j);
+          numerical -= rho * balance.subscale[i] * balance.convection[j] * v.gradient(i, j);
+        }
+      }
+      const double terms[] = {kinetic, force, carried, viscous, numerical};
+      for (int k = 0; k < 5; ++k)
+        powers[k] += weight * terms[k];
+    });
+  }
+  void energies(const CellInput& cell, double* energies) const override {
+    std::fill(energies, energies + 5, 0.0);
+    this->at_moved_points(cell, [&](const auto& at, double weight, double /*expansion*/) {
+      energies[0] += weight * 0.5 * properties_.density * dot(at[velocity].value, at[velocity].value);
+    });
   }
 
   std::vector<double> sample_amplitudes() const override { return {1.0, 100.0, 0.05}; }

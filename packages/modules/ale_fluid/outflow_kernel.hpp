@@ -62,6 +62,17 @@ class OutflowKernel : public ElementKernel<OutflowKernel> {
     }
   }
 
+  std::vector<EnergyTerm> energy_terms() const override {
+    return {{"outflow", EnergyTerm::Kind::transported}};
+  }
+  void powers(const CellInput& cell, double* powers) const override {
+    double residual[unknowns()];
+    this->residual(cell, residual);
+    powers[0] = 0;
+    for (int i = 0; i < 6; ++i)
+      powers[0] += residual[i] * cell.fields[velocity].value[i];
+  }
+
   std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }
 
  private:

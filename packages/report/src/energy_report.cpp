@@ -54,7 +54,7 @@ std::vector<double> EnergyReport::measure(const Step& step) {
                          : account.work[i]);
   values.insert(values.end(),
                 {account.supports, account.boundaries, account.time_dissipation, account.residue,
-                 account.done, account.done > 0 ? account.residue / account.done : 0});
+                 account.done, account.residue_of_work_done()});
   return values;
 }
 

@@ -48,6 +48,22 @@ void TimeIntegrator::begin_step(double step, State& state) {
   state.rate_partner.assign(rows, 0);
   known_rate_.assign(rows, 0);
   bend_.assign(rows, 0);
+  const double reach = present_.alpha_f * step;  // s, from t_n to the instant of the equations
+  const double beyond = (2 * present_.alpha_f - 1) * present_.memory;
+  const double backward = present_.backward ? present_.memory : 0;
+  const double share = present_.alpha_m / present_.gamma;
+  for (std::size_t row = 0; row < rows && !steady; ++row) {
+    // The first iterate goes on as the last step did.
+    if (rule_[row] != RateRule::none && !is_structure(row))
+      state.value[row] += reach * history_.quotient[row];
+    if (rule_[row] == RateRule::dynamic) {
+      state.rate_slope[row] = share * (1 + backward) / reach;
+      known_rate_[row] = (1 - share) * history_.rate[row] - backward * history_.quotient[row];
+    } else if (rule_[row] == RateRule::quotient && !is_structure(row)) {
+      state.rate_slope[row] = (1 + beyond) / reach;
+      known_rate_[row] = -beyond * history_.quotient[row];
+    }
+  }
   kinematics_.at_rest = steady;
   kinematics_.factor = steady ? 0 : step * present_.factor;
   kinematics_.known.clear();
@@ -61,23 +77,9 @@ void TimeIntegrator::begin_step(double step, State& state) {
                                              present_.of_quotient * history_.quotient[d] +
                                              step * present_.of_acceleration * history_.rate[v]));
     state.rate_partner[d] = 1;
-    state.value[d] = kinematics_.known.back() + kinematics_.factor * history_.value[v];
+    state.value[d] = kinematics_.known.back() + kinematics_.factor * state.value[v];
   }
   if (steady) return;
-  const double reach = present_.alpha_f * step;  // s, from t_n to the instant of the equations
-  const double beyond = (2 * present_.alpha_f - 1) * present_.memory;
-  const double backward = present_.backward ? present_.memory : 0;
-  const double share = present_.alpha_m / present_.gamma;
-  for (std::size_t row = 0; row < rows; ++row) {
-    if (rule_[row] == RateRule::dynamic) {
-      state.rate_slope[row] = share * (1 + backward) / reach;
-      known_rate_[row] = (1 - share) * history_.rate[row] - backward * history_.quotient[row];
-    } else if (rule_[row] == RateRule::quotient && !is_structure(row)) {
-      state.rate_slope[row] = (1 + beyond) / reach;
-      known_rate_[row] = -beyond * history_.quotient[row];
-      state.value[row] += reach * history_.quotient[row];
-    }
-  }
   update_rates(state);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "outflow_kernel.hpp"
 #include "sample_cell.hpp"
 
 namespace hawser {
@@ -29,6 +30,22 @@ TEST(FluidKernel, TangentIsTheDerivativeOnEveryShape) {
   EXPECT_LE(worst_error<2>(CellShape::triangle, triangle), 1e-6);
   EXPECT_LE(worst_error<2>(CellShape::quadrilateral, quadrilateral), 1e-6);
   EXPECT_LE(worst_error<3>(CellShape::tetrahedron, tetrahedron), 1e-6);
+}
+
+TEST(FluidKernel, EnergyTermsAreThePowerOfTheResidual) {
+  for (const auto& [shape, coordinates] :
+       {std::pair{CellShape::triangle, triangle}, {CellShape::quadrilateral, quadrilateral}}) {
+    FluidKernel<2, UniformForce<2>> kernel("water", {1000, 300}, UniformForce<2>{{0.3, -9.81}});
+    kernel.bind(tabulate_cell({Basis::p1, Basis::p1, Basis::p1}, quadrature(shape, 3)));
+    for (unsigned seed = 1; seed < 6; ++seed)
+      EXPECT_LE(worst_power_error(kernel, coordinates, seed), 1e-7);
+  }
+}
+
+TEST(OutflowKernel, CarriesOffThePowerOfItsResidual) {
+  OutflowKernel kernel(Domain::facets("outlet"), {2e4, 1000, 300, true, 0.5});
+  for (unsigned seed = 1; seed < 6; ++seed)
+    EXPECT_LE(worst_power_error(kernel, triangle, seed), 1e-12);
 }
 
 // Water at rest under its own weight, p = -rho g y: nothing but the boundary's share of p remains,

@@ -114,6 +114,12 @@ class PointKernel : public Kernel {
     return sum;
   }
 
+ protected:
+  /// visit(at, weight, q, gradients) at every quadrature point, in doubles: the weight is the
+  /// reference volume of the point, m^dimension, gradients[field][node][k] those of the shapes, 1/m.
+  template <class Visit>
+  void at_points(const CellInput& cell, Visit&& visit) const;
+
  private:
   template <class T, class Index>
   struct PointOf;

@@ -106,16 +106,23 @@ void PointKernel<Derived>::go_to(int q, const CellInput& cell, At& at, Gradients
 }
 
 template <class Derived>
-void PointKernel<Derived>::advance_memory(const CellInput& cell, double* next) const {
-  if constexpr (Derived::memory > 0) {
-    PointOf<double, std::make_index_sequence<Derived::uses.size()>> at;
-    detail::ShapeGradients<Derived> gradients;
-    enter(cell, at);
-    for (int q = 0; q < table_.rule.points; ++q) {
-      go_to(q, cell, at, gradients);
-      static_cast<const Derived&>(*this).advance(at, next + q * Derived::memory);
-    }
+template <class Visit>
+void PointKernel<Derived>::at_points(const CellInput& cell, Visit&& visit) const {
+  PointOf<double, std::make_index_sequence<Derived::uses.size()>> at;
+  detail::ShapeGradients<Derived> gradients;
+  enter(cell, at);
+  for (int q = 0; q < table_.rule.points; ++q) {
+    go_to(q, cell, at, gradients);
+    visit(at, table_.rule.weights[q] * at.determinant, q, std::as_const(gradients));
   }
+}
+
+template <class Derived>
+void PointKernel<Derived>::advance_memory(const CellInput& cell, double* next) const {
+  if constexpr (Derived::memory > 0)
+    at_points(cell, [&](const auto& at, double /*weight*/, int q, const auto& /*gradients*/) {
+      static_cast<const Derived&>(*this).advance(at, next + q * Derived::memory);
+    });
 }
 
 template <class Derived>

@@ -19,6 +19,8 @@ struct EnergyAccount {
   double time_dissipation = 0;  ///< rate of stored energies over the steps, less their gain
   double residue = 0;           ///< of the balance of powers: not converged, or not declared
   double done = 0;              ///< work done by supports, boundaries and loads, without signs
+
+  double residue_of_work_done() const { return done > 0 ? residue / done : 0; }
 };
 
 class EnergyLedger {
