@@ -10,14 +10,28 @@ namespace hawser {
 
 bool Lagged::solve(TpetraVector& x) {
   if (!newton_.options.lagged) return false;
-  const bool tried = !stale_ && newton_.linear.factorizations() > 0;
-  const bool converged = tried && iterate(x);
-  // After a failure, and after a slow success, the next Jacobian comes with a new factor. Only
-  // iterations decide, so that the same run twice takes the same way.
-  const bool slow = newton_.report.iterations > newton_.options.lagged_refresh;
-  if (tried && (slow || !converged)) newton_.linear.drop_factor();
-  stale_ = converged && slow;  // where this fails Newton follows, and leaves a new Jacobian
-  return converged;
+  if (stale_ || !newton_.problem.jacobian_lasts()) renew(x);
+  if (!iterate(x)) {
+    newton_.linear.drop_factor();
+    stale_ = true;
+    return false;
+  }
+  // To be renewed as soon as a solve costs more than the mean since the last renewal, that
+  // included: waiting longer raises the mean. Only iterations count, so that the same run twice
+  // takes the same way.
+  const int iterations = newton_.report.iterations;
+  stale_ = solves_ > 0 && iterations * solves_ > spent_;
+  spent_ += iterations;
+  ++solves_;
+  return true;
+}
+
+void Lagged::renew(const TpetraVector& x) {
+  newton_.linear.drop_factor();
+  newton_.compute_jacobian(x);
+  stale_ = false;
+  spent_ = newton_.options.renewal_cost;
+  solves_ = 0;
 }
 
 bool Lagged::iterate(TpetraVector& x) {

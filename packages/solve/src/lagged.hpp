@@ -8,16 +8,19 @@ class Lagged {
  public:
   explicit Lagged(Newton& newton) : newton_(newton) {}
 
-  /// False: not wanted, nothing to start from, or no success; x is then the best iterate seen.
+  /// False: not wanted, or no success; x is then the best iterate seen.
   bool solve(TpetraVector& x);
 
   void forget() { stale_ = true; }  ///< the next solve starts with a new Jacobian
 
  private:
+  void renew(const TpetraVector& x);
   bool iterate(TpetraVector& x);
 
   Newton& newton_;
-  bool stale_ = true;  ///< the Jacobian at hand, if any, is not worth trying
+  bool stale_ = true;  ///< the Jacobian at hand, if any, is to be renewed
+  int spent_ = 0;      ///< iterations since the renewal, and what that cost in such
+  int solves_ = 0;     ///< since the renewal
 };
 
 }  // namespace hawser

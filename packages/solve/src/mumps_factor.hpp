@@ -16,6 +16,7 @@ class MumpsFactor : public Factor {
   MumpsFactor& operator=(const MumpsFactor&) = delete;
   void symbolic(const Teuchos::RCP<const TpetraMatrix>& matrix) override;
   void numeric() override;
+  bool complete() const override { return true; }
   void solve(const TpetraMultiVector& b, TpetraMultiVector& x) const override;
 
  private:

@@ -34,7 +34,14 @@ void Newton::compute_residual(const TpetraVector& x, TpetraVector& f, TpetraVect
 }
 
 void Newton::compute_update(const TpetraVector& f, TpetraVector& update, double tolerance) {
-  const LinearReport solved = linear.solve(f, update, tolerance);
+  note_update(linear.solve(f, update, tolerance), update);
+}
+
+void Newton::approximate_update(const TpetraVector& f, TpetraVector& update) {
+  note_update(linear.approximate(f, update, options.lagged_tolerance), update);
+}
+
+void Newton::note_update(const LinearReport& solved, TpetraVector& update) {
   update.scale(-1.0);
   update_->update(1.0, update, 0.0);
   ++report.iterations;

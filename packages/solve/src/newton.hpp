@@ -23,6 +23,8 @@ class Newton {
 
   /// update = -J^-1 f with the last Jacobian.
   void compute_update(const TpetraVector& f, TpetraVector& update, double tolerance);
+  /// The same with what is at hand of an earlier Jacobian (LinearSolver::approximate).
+  void approximate_update(const TpetraVector& f, TpetraVector& update);
   /// The last update, and what the last Jacobian says that x is off by where the residual is f; per
   /// block, relative to the unknowns there.
   std::vector<double> last_changes(const TpetraVector& x) const;
@@ -48,6 +50,8 @@ class Newton {
   double shift = 0;  ///< 1 / the present step of pseudo-transient continuation; 0: there is none
 
  private:
+  void note_update(const LinearReport& solved, TpetraVector& update);
+
   JacobianScales scales_;              ///< of the last Jacobian
   Teuchos::RCP<TpetraVector> update_;  ///< the last one
 };

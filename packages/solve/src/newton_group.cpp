@@ -96,7 +96,7 @@ NOX::Abstract::Group::ReturnType NewtonGroup::applyRightPreconditioning(
   if (newton_.balanced(norms()))
     result.init(0);
   else
-    newton_.compute_update(unwrap(input), unwrap(result), newton_.options.lagged_tolerance);
+    newton_.approximate_update(unwrap(input), unwrap(result));
   return Ok;
 }
 

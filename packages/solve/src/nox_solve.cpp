@@ -27,7 +27,7 @@ bool nox_solve(Newton& newton, const Teuchos::RCP<NewtonGroup>& group,
     // Newton needs the first Jacobian next anyway, and it tells what is round-off at the start.
     if (!further && solver.getNumIterations() == 0 && !newton.balanced(group->norms()))
       group->computeJacobian();
-    if (!further) group->estimate_errors();
+    group->estimate_errors();
     return newton.record(group->norms()) ? Converged : Unconverged;
   };
   const auto tests = Teuchos::rcp(new Combo(Combo::OR));

@@ -19,6 +19,10 @@ class NonlinearProblem {
 
   /// Fills system().matrix with the exact derivative of the residual at x. Same errors.
   virtual void jacobian(const TpetraVector& x) = 0;
+
+  /// Whether the equations are still of the kind that the last jacobian() was made for, so that it
+  /// may serve once more. The same on all ranks.
+  virtual bool jacobian_lasts() const { return true; }
 };
 
 }  // namespace hawser

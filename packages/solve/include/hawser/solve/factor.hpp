@@ -18,6 +18,9 @@ class Factor {
   /// From the matrix' present values. SolveError on all ranks when a pivot vanishes.
   virtual void numeric() = 0;
 
+  /// Whether it is the matrix but for round-off.
+  virtual bool complete() const { return false; }
+
   /// x = factor^-1 b, column by column.
   virtual void solve(const TpetraMultiVector& b, TpetraMultiVector& x) const = 0;
 };

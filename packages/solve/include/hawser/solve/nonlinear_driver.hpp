@@ -46,13 +46,12 @@ struct NonlinearOptions {
   double pseudo_step = 0;
 
   /// First iterate on the residual alone, with the Jacobian and factor of an earlier solve,
-  /// Anderson-accelerated; a new Jacobian is made, and Newton takes over from the best iterate,
-  /// when that takes more than lagged_iterations or the residual grows lagged_growth-fold. When it
-  /// took more than lagged_refresh, the next solve starts with a new Jacobian. Best with
-  /// keep_factor.
+  /// Anderson-accelerated; Newton takes over from the best iterate when that takes more than
+  /// lagged_iterations or the residual grows lagged_growth-fold. Renewing both costs as much as
+  /// renewal_cost iterations: they last until a solve takes more iterations than the mean since.
   bool lagged = false;
   int lagged_iterations = 12;
-  int lagged_refresh = 8;
+  int renewal_cost = 8;
   double lagged_growth = 4;
   int anderson_depth = 8;
   double lagged_tolerance = 1e-2;  ///< of the linear solves meanwhile

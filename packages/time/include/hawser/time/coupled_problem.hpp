@@ -36,6 +36,8 @@ class CoupledProblem : public NonlinearProblem {
   BlockSystem& system() override { return assembler_.system(); }
   void residual(const TpetraVector& x, TpetraVector& f, TpetraVector& magnitude) override;
   void jacobian(const TpetraVector& x) override;
+  /// While the same rows are prescribed and the step is about as long.
+  bool jacobian_lasts() const override;
 
   /// At the instant at which the step's equations are formed; balances, reactions and fields
   /// without a rate (pressure) live there.
@@ -62,7 +64,10 @@ class CoupledProblem : public NonlinearProblem {
   const Conditions& conditions_;
   Constraints constraints_;
   State state_, end_;
+  double jacobian_step_ = 0;                ///< s, of the last Jacobian
+  std::vector<LocalIndex> jacobian_fixed_;  ///< rows that were prescribed in it
   std::vector<double> total_, residual_, magnitude_;
+  std::vector<double> evaluated_;  ///< owned unknowns at which total_ was assembled
   Stopwatch residual_watch_, tangent_watch_;
 };
 
