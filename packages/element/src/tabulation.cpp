@@ -114,6 +114,11 @@ Tabulation tabulate(Basis basis, const Quadrature& rule) {
       for (std::size_t k = 0; k < dimension; ++k)
         result.gradients.push_back(length * gradients(a, q, k));
     }
+  const auto first = result.gradients.begin();
+  const auto width = static_cast<std::ptrdiff_t>(node_count * dimension);
+  result.linear = true;
+  for (auto point = first; point != result.gradients.end(); point += width)
+    result.linear = result.linear && std::equal(first, first + width, point);
   return result;
 }
 

@@ -74,8 +74,9 @@ std::unique_ptr<System> build_system(const Case& run_case, const std::string& me
     check_steady(*system, deck.solver.linear, deck.time.end, deck.time.location);
   else if (deck.start.equilibrium)
     check_steady(*system, deck.solver.linear, system->problem->state().time, deck.start.location);
-  system->driver =
-      std::make_unique<NonlinearDriver>(*system->problem, deck.solver.linear, deck.solver.newton);
+  NonlinearOptions newton = deck.solver.newton;
+  newton.lagged = newton.lagged.value_or(!deck.time.steady());
+  system->driver = std::make_unique<NonlinearDriver>(*system->problem, deck.solver.linear, newton);
   system->driver->describe_row(
       [dofs = system->dofs.get()](GlobalIndex row) { return describe_row(*dofs, row); });
   return system;

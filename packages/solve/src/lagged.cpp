@@ -9,7 +9,7 @@
 namespace hawser {
 
 bool Lagged::solve(TpetraVector& x) {
-  if (!newton_.options.lagged) return false;
+  if (!newton_.options.lagged.value_or(false)) return false;
   if (stale_ || !newton_.problem.jacobian_lasts()) renew(x);
   if (!iterate(x)) {
     newton_.linear.drop_factor();

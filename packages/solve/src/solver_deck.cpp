@@ -48,7 +48,9 @@ Spec<NonlinearOptions> newton_spec() {
           "First step of pseudo-transient continuation, for a steady state that Newton's method "
           "does not reach: smaller is safer and slower; 0: none.")
       .attribute("lagged", &P::lagged,
-                 "First iterate with the Jacobian of an earlier step, Anderson-accelerated.")
+                 "Iterate with the Jacobian of an earlier step, Anderson-accelerated, until renewing "
+                 "it pays; Newton's method where that fails. Without a word: in time steps, not in "
+                 "steady solves.")
       .attribute("forcing", &P::forcing,
                  "Looser linear solves far from the solution (Eisenstat-Walker).")
       .attribute("forcing-max", &P::forcing_max, "1", between(1e-12, 0.9),

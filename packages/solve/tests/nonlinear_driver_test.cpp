@@ -133,7 +133,7 @@ TEST(NonlinearDriver, LaggedJacobianServesManySolves) {
     EXPECT_LE(jacobians, 4);  // Newton would take 3 each time
     driver.forget();
     x.putScalar(0.1);
-    EXPECT_GE(driver.solve(x).jacobians, 2);
+    EXPECT_GE(driver.solve(x).jacobians, 1);
     problem.speed = -4000;
     x.putScalar(0.1);
     const auto report = driver.solve(x);

@@ -18,6 +18,7 @@ struct Tabulation {
   int nodes = 0;
   std::vector<double> values;     ///< [point][node]
   std::vector<double> gradients;  ///< [point][node][dimension], by reference coordinates
+  bool linear = false;            ///< the gradients are those of the first point everywhere
 };
 
 /// What a kernel computes with: its fields and the cell's own geometry at the points of one rule.

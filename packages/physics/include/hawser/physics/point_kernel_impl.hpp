@@ -68,13 +68,15 @@ void PointKernel<Derived>::go_to(int q, const CellInput& cell, At& at, Gradients
     const Tabulation& shape = table_.fields[f];
     const double* const N = &shape.values[q * shape.nodes];
     const double* const local = &shape.gradients[q * shape.nodes * D];
-    for (int a = 0; a < shape.nodes; ++a)
-      for (int j = 0; j < D; ++j) {
-        double sum = 0;
-        for (int k = 0; k < D; ++k)
-          sum += local[a * D + k] * at.inverse_jacobian(k, j);
-        gradients[f][a][j] = sum;
-      }
+    const bool new_gradients = q == 0 || !(table_.affine && shape.linear);
+    if (new_gradients)
+      for (int a = 0; a < shape.nodes; ++a)
+        for (int j = 0; j < D; ++j) {
+          double sum = 0;
+          for (int k = 0; k < D; ++k)
+            sum += local[a * D + k] * at.inverse_jacobian(k, j);
+          gradients[f][a][j] = sum;
+        }
     const auto interpolate = [&](const double* nodal, int c) {
       double sum = 0;
       for (int a = 0; a < shape.nodes; ++a)
@@ -94,12 +96,14 @@ void PointKernel<Derived>::go_to(int q, const CellInput& cell, At& at, Gradients
         detail::entry(field.value, c) = Num::independent(direction++, interpolate(nodal.value, c));
       if constexpr ((needs & need::rate) != 0)
         detail::entry(field.rate, c) = Num::independent(direction++, interpolate(nodal.rate, c));
-      if constexpr ((needs & need::gradient) != 0)
-        for (int j = 0; j < D; ++j)
+      if constexpr ((needs & need::gradient) != 0) {
+        for (int j = 0; j < D && new_gradients; ++j)
           detail::gradient_entry(field.gradient, c, j) =
-              Num::independent(direction++, slope(nodal.value, c, j));
+              Num::independent(direction + j, slope(nodal.value, c, j));
+        direction += D;
+      }
       if constexpr ((needs & need::accepted) != 0)
-        for (int j = 0; j < D; ++j)
+        for (int j = 0; j < D && new_gradients; ++j)
           detail::gradient_entry(field.accepted_gradient, c, j) = slope(nodal.accepted, c, j);
     }
   });

@@ -49,7 +49,7 @@ struct NonlinearOptions {
   /// Anderson-accelerated; Newton takes over from the best iterate when that takes more than
   /// lagged_iterations or the residual grows lagged_growth-fold. Renewing both costs as much as
   /// renewal_cost iterations: they last until a solve takes more iterations than the mean since.
-  bool lagged = false;
+  std::optional<bool> lagged;  ///< not said: the driver's caller knows, else not
   int lagged_iterations = 12;
   int renewal_cost = 8;
   double lagged_growth = 4;
