@@ -48,12 +48,20 @@ std::set<std::vector<LocalIndex>> cells_of(const Mesh& mesh, const PhysicsModule
   return cells;
 }
 
-/// Two of a kind on one cell are there twice: twice the mass, twice the stiffness.
+bool governs(const PhysicsModule& module) {
+  for (const auto& kernel : module.kernels)
+    for (const FieldUse& use : kernel->fields())
+      if (use.role == Role::governs) return true;
+  return false;
+}
+
+/// Two of a kind on one cell are there twice: twice the mass, twice the stiffness. Of those that
+/// govern a field the second one is refused by its rows (governance.hpp).
 void refuse_twice(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
                   Diagnostics& diagnostics) {
   for (std::size_t b = 0; b < modules.size(); ++b)
     for (std::size_t a = 0; a < b; ++a) {
-      if (modules[a].name != modules[b].name) continue;
+      if (modules[a].name != modules[b].name || governs(modules[b])) continue;
       const auto first = cells_of(mesh, modules[a]), second = cells_of(mesh, modules[b]);
       const bool both = std::any_of(second.begin(), second.end(),
                                     [&](const auto& cell) { return first.count(cell) > 0; });

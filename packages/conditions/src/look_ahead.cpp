@@ -56,7 +56,8 @@ struct Conditions::Disagreement {
 
 std::vector<Conditions::Disagreement> Conditions::disagreements(const State& start,
                                                                 const RunSpan& span) const {
-  constexpr double tolerance = 1e-6;  // of the greater values that either prescribes
+  constexpr double tolerance = 1e-6;   // of the greater values that either prescribes
+  constexpr double round_off = 1e-12;  // of formulas that come to zero, in SI units
   std::vector<double> mine;
   constexpr std::size_t size = sizeof(Disagreement) / sizeof(double);
   const double length = span.end - span.begin;
@@ -86,7 +87,8 @@ std::vector<Conditions::Disagreement> Conditions::disagreements(const State& sta
         value[r] = row.value;
         if (before < 0 || before == static_cast<int>(e) || prescribed_[e].replaces) continue;
         const auto first = static_cast<std::size_t>(before);
-        if (std::abs(was - row.value) <= tolerance * std::max(greatest[first], greatest[e]))
+        if (std::abs(was - row.value) <=
+            round_off + tolerance * std::max(greatest[first], greatest[e]))
           continue;
         if (!told.emplace(std::array{first, e, r}, true).second) continue;
         Disagreement found{

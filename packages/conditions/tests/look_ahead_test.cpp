@@ -45,7 +45,7 @@ TEST_P(TwoConditions, AreToldWhereTheyDisagree) {
   if (GetParam().told.empty())
     EXPECT_THAT(told, IsEmpty());
   else
-    EXPECT_THAT(told, ElementsAre(AllOf(HasSubstr("d.xml:2:1: "), HasSubstr("disagrees with"),
+    EXPECT_THAT(told, ElementsAre(AllOf(HasSubstr("d.xml:2:2: "), HasSubstr("disagrees with"),
                                         HasSubstr(GetParam().told))));
 }
 
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Pair{"AtTheEndOfALine",
              prescribed("velocity", "cable", "1 0") + prescribed("velocity", "tail", "0 0"),
-             "of d.xml:1:13 at 1 node that both have, (4, 1): component x is 0 there, and was to "
+             "of d.xml:1:14 at 1 node that both have, (4, 1): component x is 0 there, and was to "
              "be 1 (t = 1 s)"},
         Pair{"AtBothEnds",
              prescribed("velocity", "cable", "1 2") + prescribed("velocity", "wall", "1 0"),

@@ -27,10 +27,6 @@ Mesh read(const MeshText& text, const MeshOptions& options = {}) {
   return read_mesh(world, all);
 }
 
-std::vector<std::string> notes(const MeshText& text, const MeshOptions& options = {}) {
-  return read(text, options).notes;
-}
-
 MeshOptions with_modules(std::vector<Domain> domains) {
   MeshOptions options;
   options.domains = std::move(domains);

@@ -89,12 +89,14 @@ void TowReport::compare_motion(const Outlook& outlook, Diagnostics& diagnostics)
                                   axis_text, time(fastest), tow_angle(velocity(fastest))));
     return;
   }
-  if (most > slack)
+  if (most > slack) {
     diagnostics.note(where,
                      fmt::format("the tow point does not always move along {}: at t = {:g} s "
                                  "it goes in the direction of angle=\"{:.6g}\"; errors are "
                                  "measured from that axis",
                                  axis_text, time(astray), tow_angle(velocity(astray))));
+    return;
+  }
   if (!track_ && deck_.speed && std::abs(*deck_.speed - speed) > 0.01 * speed)
     diagnostics.note(where, fmt::format("the tow point reaches {:.4g} m/s, and <tow> says speed="
                                         "\"{:g}\", of which the exact values are",
