@@ -17,7 +17,7 @@ struct Arguments {
   std::string plugin_folder;
   CaseOptions of_case;
   RunOptions options;
-  bool quiet = false, verbose = false, dry_run = false;
+  bool quiet = false, verbose = false, dry_run = false, with_mesh = false;
 };
 
 int exit_code(const Summary& summary) {
@@ -146,16 +146,21 @@ Verb restart_verb(CLI::App& app) {
 
 Verb check_verb(CLI::App& app) {
   auto* verb = app.add_subcommand("check", "read a deck and report every fault in it");
-  verb->footer("Example: hawser check inputs/deep_tow/case_02.xml");
+  verb->footer("Example: hawser check --mesh inputs/deep_tow/case_02_quick.xml");
   const auto arguments = new_arguments(*verb);
   verb->add_option("deck", arguments->file, "XML deck")->required();
   add_changes(*verb, arguments->of_case.changes);
+  verb->add_flag("--mesh", arguments->with_mesh,
+                 "make or read the mesh, too, audit it, and check all that a run would");
   return {verb, OnRanks([arguments](Environment& environment) {
-            case_of(*arguments, environment);
-            return print(
-                environment,
-                arguments->file +
-                    ": no faults (names of regions and fields are checked when it runs)\n");
+            const Case run_case = case_of(*arguments, environment);
+            if (arguments->with_mesh)
+              return print(environment,
+                           check_with_mesh(run_case) + arguments->file + ": no faults\n");
+            return print(environment,
+                         arguments->file +
+                             ": no faults (names of regions and fields, the mesh and what fits "
+                             "together: --mesh)\n");
           })};
 }
 

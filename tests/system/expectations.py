@@ -30,12 +30,13 @@ class Expectations(unittest.TestCase):
             self.assertEqual(summary["expectations_failed"], 1)
             self.assertFalse(summary["expectations"]["end_time_s"]["holds"])
 
-    def test_never_evaluated_fails_however_wide(self):
+    def test_of_a_quantity_that_nothing_reports_is_refused_before_the_run(self):
         for ranks in 1, 2:
-            said, summary = self.judged("never", NEVER, 8, ranks)
-            self.assertEqual(len(said), 1)
-            self.assertIn("got nothing: the run reports no such quantity: FAILS", said[0])
-            self.assertEqual(summary["expectations_failed"], 1)
+            deck, folder = edited("never", time_end="20", inside=NEVER), fresh("never")
+            done = hawser(ranks, "run", deck, "-q", "-o", folder)
+            self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+            self.assertRegex(done.stderr, r"never.xml:\d+:\d+: nothing here reports a quantity 'lift_n'; there are step, ")
+            self.assertFalse((folder / "summary.json").exists())
 
 
 if __name__ == "__main__":

@@ -1,5 +1,8 @@
 #include "hawser/assembly/check_domains.hpp"
 
+#include <algorithm>
+#include <set>
+
 #include "hawser/fields/look_up.hpp"
 
 namespace hawser {
@@ -29,6 +32,48 @@ void check_domain(const Mesh& mesh, const PhysicsModule& module, const Kernel& k
   }
 }
 
+/// Cells on which a module works, by their sorted vertices; of this rank.
+std::set<std::vector<LocalIndex>> cells_of(const Mesh& mesh, const PhysicsModule& module) {
+  std::set<std::vector<LocalIndex>> cells;
+  for (const auto& kernel : module.kernels) {
+    const Region* const region = mesh.find(kernel->domain());
+    if (region == nullptr || kernel->domain().kind != Domain::Kind::cells) continue;
+    const auto n = static_cast<std::ptrdiff_t>(region->vertices_per_cell);
+    for (auto cell = region->vertices.begin(); cell != region->vertices.end(); cell += n) {
+      std::vector<LocalIndex> vertices(cell, cell + n);
+      std::sort(vertices.begin(), vertices.end());
+      cells.insert(std::move(vertices));
+    }
+  }
+  return cells;
+}
+
+bool governs(const PhysicsModule& module) {
+  for (const auto& kernel : module.kernels)
+    for (const FieldUse& use : kernel->fields())
+      if (use.role == Role::governs) return true;
+  return false;
+}
+
+/// Two of a kind on one cell are there twice: twice the mass, twice the stiffness. Of those that
+/// govern a field the second one is refused by its rows (governance.hpp).
+void refuse_twice(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
+                  Diagnostics& diagnostics) {
+  for (std::size_t b = 0; b < modules.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a) {
+      if (modules[a].name != modules[b].name || governs(modules[b])) continue;
+      const auto first = cells_of(mesh, modules[a]), second = cells_of(mesh, modules[b]);
+      const bool both = std::any_of(second.begin(), second.end(),
+                                    [&](const auto& cell) { return first.count(cell) > 0; });
+      if (mesh.communicator.any(both))
+        diagnostics.error(modules[b].location,
+                          "module '" + modules[b].name + "' lives on cells where the one of " +
+                              modules[a].location.text() +
+                              " does already: everything there would count twice; let each have "
+                              "its own cells, or one of them all");
+    }
+}
+
 }  // namespace
 
 std::vector<Domain> domains_of(const std::vector<PhysicsModule>& modules) {
@@ -53,6 +98,7 @@ void check_domains(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
                                              std::to_string(mesh.dimension));
       break;
     }
+  if (diagnostics.ok()) refuse_twice(mesh, modules, diagnostics);
 }
 
 }  // namespace hawser

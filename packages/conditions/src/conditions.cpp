@@ -59,6 +59,10 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, const Tracks& t
   entry.from = deck.from.value_or(entry.from);
   entry.until = deck.until.value_or(entry.until);
   entry.is_displacement = deck.field.value == field_name::displacement;
+  entry.location = deck.location;
+  entry.field = deck.field.value;
+  entry.on = Domain(deck.on.value).text();
+  entry.replaces = deck.replaces;
   const int field = find_field(dofs_, deck.field, diagnostics);
   if (field < 0) {
     for (const std::string& name : deck.on.value)
@@ -93,6 +97,10 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, const Tracks& t
     const Region* const region = find_region(dofs_.mesh(), name, deck.on.location, diagnostics);
     if (region == nullptr) continue;
     const auto rows = dofs_.region_rows(field, *region);
+    if (!dofs_.mesh().communicator.any(!rows.empty()))
+      diagnostics.error(deck.on.location,
+                        "no module solves for '" + deck.field.value + "' on region '" + name +
+                            "', nor beside it: what is said here would hold nowhere");
     entry.first_rows.insert(entry.first_rows.end(), rows.begin(), rows.end());
   }
   return entry;

@@ -11,7 +11,8 @@ Spec<ConditionDeck> condition_spec(const std::string& tag, const std::string& me
                      .attribute("field", &P::field, required(), "Field by name, such as velocity.")
                      .attribute("on", &P::on, required(), "Regions, by name.")
                      .attribute("component", &P::component, one_of({"all", "x", "y", "z"}),
-                                "Which component the value is for.");
+                                "Which component the value is for.")
+                     .location(&P::location);
   return P::declare_sources(std::move(spec))
       .check([tag](const P& p, const Location& where, Diagnostics& diagnostics) {
         auto names = P::source_attributes();
@@ -36,7 +37,14 @@ Spec<ConditionDeck> ConditionDeck::prescribe_spec() {
       .attribute("from", &P::from, "s", any() && absent("from the start"),
                  "Holds for steps that end after this time.")
       .attribute("until", &P::until, "s", any() && absent("to the end"),
-                 "Holds for steps that end at this time or before.");
+                 "Holds for steps that end at this time or before.")
+      .attribute("replaces", &P::replaces,
+                 "It is meant to hold at nodes where an earlier one says something else; later "
+                 "ones always do, and without this a note says where.")
+      .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
+        if (p.from && p.until && *p.from >= *p.until)
+          diagnostics.error(where, "it never holds: 'from' is not before 'until'");
+      });
 }
 
 Spec<ConditionsDeck> ConditionsDeck::spec() {

@@ -13,24 +13,39 @@ constexpr std::size_t longest_sentence = 2000;
 
 }  // namespace
 
-void Diagnostics::error(const Location& where, const std::string& sentence) {
+void Diagnostics::add(std::vector<Entry>& entries, const Location& where,
+                      const std::string& sentence) {
   const std::string text = shortened(sentence, longest_sentence);
   // Two kernels of one module may stumble over the same name: it is one fault.
   const auto same = [&](const Entry& e) { return e.where == where && e.sentence == text; };
-  if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back({where, text});
+  if (std::none_of(entries.begin(), entries.end(), same)) entries.push_back({where, text});
+}
+
+void Diagnostics::error(const Location& where, const std::string& sentence) {
+  add(errors_, where, sentence);
+}
+
+void Diagnostics::note(const Location& where, const std::string& sentence) {
+  add(notes_, where, sentence);
+}
+
+std::vector<std::string> Diagnostics::texts(std::vector<Entry> entries) {
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& a, const Entry& b) { return a.where < b.where; });
+  std::vector<std::string> result;
+  for (const Entry& entry : entries)
+    result.push_back(entry.where.text() + ": " + entry.sentence);
+  return result;
 }
 
 std::string Diagnostics::error_text() const {
-  std::vector<Entry> entries = errors_;
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const Entry& a, const Entry& b) { return a.where < b.where; });
   std::string result;
-  for (const Entry& entry : entries) {
-    if (!result.empty()) result += '\n';
-    result += entry.where.text() + ": " + entry.sentence;
-  }
+  for (const std::string& line : texts(errors_))
+    result += (result.empty() ? "" : "\n") + line;
   return result;
 }
+
+std::vector<std::string> Diagnostics::notes() const { return texts(notes_); }
 
 void Diagnostics::throw_if_any() const {
   if (!ok()) throw DeckError(error_text());

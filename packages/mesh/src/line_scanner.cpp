@@ -13,13 +13,14 @@ const char* const blanks = " \t\r";
 
 }  // namespace
 
-LineScanner::LineScanner(const std::string& path) : path_(path), file_(path) {
+LineScanner::LineScanner(const std::string& path) : path_(path), file_(path, std::ios::binary) {
   if (!file_) throw MeshError("cannot open the mesh file " + path);
 }
 
 bool LineScanner::next() {
   while (std::getline(file_, text_)) {
     ++number_;
+    byte_ += static_cast<long long>(text_.size()) + 1;
     position_ = 0;
     skip_blanks();
     if (position_ < text_.size()) return true;
@@ -84,8 +85,36 @@ void LineScanner::end(const std::string& after) {
     fail("'" + std::string(word(after)) + "' is too much after " + after);
 }
 
+void LineScanner::take(void* to, std::streamsize size, const std::string& what) {
+  if (!file_.read(static_cast<char*>(to), size))
+    fail("the file ends where " + what + " was expected");
+  byte_ += size;
+}
+
+long long LineScanner::raw_int(const std::string& what) {
+  std::int32_t value = 0;
+  take(&value, sizeof value, what);
+  return value;
+}
+
+long long LineScanner::raw_count(const std::string& what) {
+  std::int64_t value = 0;
+  take(&value, sizeof value, what);
+  if (value < 0) fail(what + " is no number that gmsh writes: " + std::to_string(value));
+  return value;
+}
+
+double LineScanner::raw_real(const std::string& what) {
+  double value = 0;
+  take(&value, sizeof value, what);
+  if (!std::isfinite(value)) fail("expected " + what + ", found " + std::to_string(value));
+  return value;
+}
+
 void LineScanner::fail(const std::string& sentence) const {
-  throw MeshError(path_ + ":" + std::to_string(number_) + ": " + sentence);
+  throw MeshError(
+      path_ + (raw_ ? ": before byte " + std::to_string(byte_) : ":" + std::to_string(number_)) +
+      ": " + sentence);
 }
 
 }  // namespace hawser

@@ -1,5 +1,7 @@
 #pragma once
-// A text file read line by line and word by word; every complaint names the file and the line.
+// A file read line by line and word by word, and where it holds raw bytes number by number; every
+// complaint names the file and the line, or the byte.
+#include <cstdint>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -21,17 +23,27 @@ class LineScanner {
   std::string quoted(const std::string& what);
   void end(const std::string& after);  ///< refuses further words on this line
 
-  int line() const { return number_; }
+  // Numbers as they are in memory, from behind the current line on; they must be finite.
+  long long raw_int(const std::string& what);    ///< 4 bytes
+  long long raw_count(const std::string& what);  ///< 8 bytes without a sign
+  double raw_real(const std::string& what);
+  /// Complaints name the byte from now on.
+  void expect_raw() { raw_ = true; }
+
+  int line() const { return raw_ ? 0 : number_; }  ///< 0: not to be told in a binary file
   [[noreturn]] void fail(const std::string& sentence) const;
 
  private:
   void skip_blanks();
+  void take(void* to, std::streamsize size, const std::string& what);
 
   std::string path_;
   std::ifstream file_;
   std::string text_;
   std::size_t position_ = 0;
   int number_ = 0;
+  long long byte_ = 0;
+  bool raw_ = false;
 };
 
 }  // namespace hawser

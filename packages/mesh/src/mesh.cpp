@@ -6,6 +6,7 @@
 #include "distribute.hpp"
 #include "graph.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/mesh/mesh_audit.hpp"
 #include "whole_mesh.hpp"
 
 namespace hawser {
@@ -42,6 +43,21 @@ std::vector<LocalIndex> places_in(const Region& whole, const Region& part) {
   return places;
 }
 
+namespace {
+
+/// Errors together, as one; what remains goes to the mesh's notes.
+void tell(const std::vector<MeshFinding>& findings, Mesh& mesh) {
+  std::string errors;
+  for (const auto& [weight, sentence] : findings)
+    if (weight == MeshFinding::Weight::error)
+      errors += (errors.empty() ? "" : "\n") + sentence;
+    else
+      mesh.notes.push_back(sentence);
+  if (!errors.empty()) throw MeshError(errors);
+}
+
+}  // namespace
+
 Mesh read_mesh(const Communicator& communicator, const MeshOptions& options) {
   Mesh whole;
   whole.communicator = communicator;
@@ -50,6 +66,7 @@ Mesh read_mesh(const Communicator& communicator, const MeshOptions& options) {
     whole = check_and_number(read_msh(options.file), options.dimension);
     whole.communicator = communicator;
     add_topology(whole, options);
+    tell(audit(whole, options), whole);
     const auto graph = make_graph(whole.vertices.size(), whole.edge_ends);
     owner_of_vertex = partition(graph, communicator.size());
   });

@@ -50,7 +50,8 @@ Spec<WaterBox> WaterBox::spec() {
 Spec<MeshFileDeck> MeshFileDeck::spec() {
   return Spec<MeshFileDeck>("file", "A mesh file made by gmsh.")
       .attribute("name", &MeshFileDeck::name, required(),
-                 "MSH 2.2 or 4.1, ASCII; a relative path starts at the deck's folder.")
+                 "MSH 2.2 or 4.1, ASCII or binary, partitioned or not; a relative path starts at "
+                 "the deck's folder.")
       .attribute("dimension", &MeshFileDeck::dimension, between(2, 3),
                  "Of the space; in three the file may hold lines and points only.");
 }
@@ -60,6 +61,12 @@ Spec<MeshDeck> MeshDeck::spec() {
   return Spec<P>("mesh", "Where the mesh comes from: exactly one of the children.")
       .attribute("slits", &P::slits, absent("none"),
                  "Line regions across which the pressure is doubled.")
+      .attribute("apart", &P::apart, absent("none"),
+                 "Regions that are meant to share no nodes with what lies at the same place, such "
+                 "as a cable beside the body or a crack; else that is an error.")
+      .attribute("open-boundary", &P::open_boundary,
+                 "Boundary edges in no region are meant: nothing is prescribed there and no "
+                 "traction acts. Else a note says where they are.")
       .child(&P::tow_box)
       .child(&P::water_box)
       .child(&P::line)

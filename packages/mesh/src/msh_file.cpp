@@ -2,33 +2,15 @@
 
 #include <cstdlib>
 #include <map>
-#include <optional>
+#include <set>
 #include <utility>
 
-#include "line_scanner.hpp"
+#include "msh_groups.hpp"
+#include "msh_scanner.hpp"
+#include "msh_types.hpp"
 
 namespace hawser {
 namespace {
-
-// gmsh's numbers of the element types that Hawser reads. One more shape is one more case here.
-std::optional<CellShape> shape_of(long long type) {
-  switch (type) {
-    case 15: return CellShape::point;
-    case 1: return CellShape::line;
-    case 2: return CellShape::triangle;
-    default: return std::nullopt;
-  }
-}
-
-std::string type_name(long long type) {
-  switch (type) {
-    case 3: return "a quadrilateral";
-    case 4: return "a tetrahedron";
-    case 8: return "a second-order line";
-    case 9: return "a second-order triangle";
-    default: return "of gmsh's type " + std::to_string(type);
-  }
-}
 
 class MshReader {
  public:
@@ -46,7 +28,11 @@ class MshReader {
       close(section);
     }
     if (file_.nodes.empty()) in_.fail("the file has no nodes");
-    if (file_.elements.empty()) in_.fail("no element belongs to a physical group");
+    refuse_part_of_a_mesh();
+    if (file_.elements.empty())
+      in_.fail(
+          "no element belongs to a physical group; in gmsh: Physical Surface(\"water\") = {1}");
+    name_groups(file_);
     return std::move(file_);
   }
 
@@ -58,9 +44,12 @@ class MshReader {
       in_.fail("MSH format " + version + " is not read; write 4.1 or 2.2 (Mesh.MshFileVersion)");
     }
     version4_ = version == "4.1";
-    if (in_.integer("the file type") != 0) {
-      in_.fail("the file is binary; write it as ASCII (Mesh.Binary = 0)");
-    }
+    const bool binary = in_.integer("the file type") == 1;
+    const auto bytes = in_.integer("the bytes of a number");
+    if (!binary) return;
+    if (bytes != 8)
+      in_.fail("numbers of " + std::to_string(bytes) + " bytes are not read, only of 8");
+    in_.read_binary(version4_);
   }
 
   void read_section(const std::string& section) {
@@ -68,6 +57,8 @@ class MshReader {
       read_names();
     } else if (section == "$Entities" && version4_) {
       read_entities();
+    } else if (section == "$PartitionedEntities" && version4_) {
+      read_parts();
     } else if (section == "$Nodes") {
       version4_ ? read_nodes4() : read_nodes2();
     } else if (section == "$Elements") {
@@ -89,18 +80,27 @@ class MshReader {
     if (found != end) in_.fail("expected " + end + ", found '" + found + "'");
   }
 
+  /// At the begin of a section. In MSH 4 nodes and elements have three numbers more.
   long long counted(const std::string& what) {
-    in_.next("the number of " + what);
-    return in_.count("the number of " + what);
+    if (!in_.is_binary() || !version4_) {
+      in_.next("the number of " + what);
+      return in_.text().count("the number of " + what);
+    }
+    const auto blocks = in_.count("the number of " + what);
+    for (const char* const more : {"the number of all", "the least number", "the greatest number"})
+      in_.count(more);
+    return blocks;
   }
 
   void read_names() {
-    for (auto n = counted("physical names"); n > 0; --n) {
-      in_.next("a physical name");
+    auto& text = in_.text();
+    text.next("the number of physical names");
+    for (auto n = text.count("the number of physical names"); n > 0; --n) {
+      text.next("a physical name");
       MshGroup group;
-      group.dimension = static_cast<int>(in_.integer("a dimension"));
-      group.tag = in_.integer("a physical number");
-      group.name = in_.quoted("a physical name");
+      group.dimension = static_cast<int>(text.integer("a dimension"));
+      group.tag = text.integer("a physical number");
+      group.name = text.quoted("a physical name");
       if (group.name.empty() || group.name.find('/') != std::string::npos) {
         in_.fail("the name '" + group.name + "' of a physical group is empty or holds a slash");
       }
@@ -116,23 +116,81 @@ class MshReader {
     }
   }
 
-  void read_entities() {
-    in_.next("the numbers of entities");
+  void skip_coordinates(int dimension) {
+    for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k)
+      in_.real("a coordinate");
+  }
+
+  std::vector<long long> read_groups() {
+    std::vector<long long> groups;
+    // gmsh writes a negative number for a curve that its group takes backwards
+    for (auto n = in_.count("the number of physical groups"); n > 0; --n)
+      groups.push_back(std::abs(in_.integer("a physical number")));
+    return groups;
+  }
+
+  /// What bounds an entity; in text nobody reads the rest of the line.
+  void skip_bounds(int dimension) {
+    if (!in_.is_binary() || dimension == 0) return;
+    for (auto n = in_.count("the number of bounding entities"); n > 0; --n)
+      in_.integer("a bounding entity");
+  }
+
+  template <class ReadEntity>
+  void each_entity(ReadEntity&& read) {
     std::array<long long, 4> counts;
-    for (auto& count : counts)
-      count = in_.count("a number of entities");
-    for (int dimension = 0; dimension < 4; ++dimension) {
+    in_.record("the numbers of entities");
+    for (auto& number : counts)
+      number = in_.count("a number of entities");
+    for (int dimension = 0; dimension < 4; ++dimension)
       for (auto n = counts[static_cast<std::size_t>(dimension)]; n > 0; --n) {
-        in_.next("an entity");
-        auto& tags = entities_[{dimension, in_.integer("an entity's number")}];
-        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k)
-          in_.real("a coordinate");
-        tags.resize(static_cast<std::size_t>(in_.count("the number of physical groups")));
-        // gmsh writes a negative number for a curve that its group takes backwards
-        for (auto& tag : tags)
-          tag = std::abs(in_.integer("a physical number"));
+        in_.record("an entity");
+        read(dimension, in_.integer("an entity's number"));
+        skip_bounds(dimension);
       }
+  }
+
+  void read_entities() {
+    each_entity([&](int dimension, long long entity) {
+      skip_coordinates(dimension);
+      entities_[{dimension, entity}] = read_groups();
+    });
+  }
+
+  // Pieces of the entities, of which gmsh then makes the blocks of elements. A piece of what the
+  // geometry calls an entity of its dimension is in that one's groups; the others are the parts'
+  // common boundaries, which are nothing here.
+  void read_parts() {
+    in_.record("the number of parts");
+    parts_ = in_.count("the number of parts");
+    in_.record("the number of ghost entities");
+    for (auto n = in_.count("the number of ghost entities"); n > 0; --n) {
+      in_.record("a ghost entity");
+      in_.integer("a ghost entity's number");
+      in_.integer("a part");
     }
+    each_entity([&](int dimension, long long entity) {
+      const auto parent_dimension = static_cast<int>(in_.integer("the parent's dimension"));
+      const auto parent = in_.integer("the parent's number");
+      for (auto n = in_.count("the number of parts"); n > 0; --n) {
+        const auto part = in_.integer("a part");
+        if (dimension == parent_dimension) parts_there_.insert(part);
+      }
+      skip_coordinates(dimension);
+      auto groups = read_groups();
+      const auto whole = entities_.find({parent_dimension, parent});
+      if (groups.empty() && whole != entities_.end()) groups = whole->second;
+      if (dimension != parent_dimension) groups.clear();
+      entities_[{dimension, entity}] = groups;
+    });
+  }
+
+  void refuse_part_of_a_mesh() const {
+    const auto there = static_cast<long long>(parts_there_.size());
+    if (there < parts_)
+      in_.fail("the file holds " + std::to_string(there) + " of the " + std::to_string(parts_) +
+               " parts of a partitioned mesh; write all parts into one file "
+               "(Mesh.PartitionSplitMeshFiles = 0)");
   }
 
   void read_position(MshNode& node) {
@@ -143,102 +201,120 @@ class MshReader {
 
   void read_nodes2() {
     for (auto n = counted("nodes"); n > 0; --n) {
-      in_.next("a node");
+      in_.record("a node");
       MshNode node{};
-      node.tag = in_.integer("a node number");
+      node.tag = in_.tag("a node number");
       read_position(node);
-      in_.end("the node's coordinates");
+      in_.end_record("the node's coordinates");
       file_.nodes.push_back(node);
     }
   }
 
   void read_nodes4() {
     for (auto blocks = counted("node blocks"); blocks > 0; --blocks) {
-      in_.next("a block of nodes");
-      in_.integer("a dimension");
+      in_.record("a block of nodes");
+      const auto dimension = in_.integer("a dimension");
       in_.integer("an entity's number");
-      in_.integer("0 or 1");
-      const auto count = in_.count("the number of nodes in the block");
+      const bool parametric = in_.integer("0 or 1") != 0;
+      const auto nodes = in_.count("the number of nodes in the block");
       const auto first = file_.nodes.size();
-      for (long long k = 0; k < count; ++k) {
-        in_.next("a node number");
-        file_.nodes.push_back({in_.integer("a node number"), 0, {}});
+      for (long long k = 0; k < nodes; ++k) {
+        in_.record("a node number");
+        file_.nodes.push_back({in_.tag("a node number"), 0, {}});
       }
       for (auto node = first; node < file_.nodes.size(); ++node) {
-        in_.next("a node's coordinates");
+        in_.record("a node's coordinates");
         read_position(file_.nodes[node]);  // parametric coordinates may follow
+        for (long long k = 0; in_.is_binary() && parametric && k < dimension; ++k)
+          in_.real("a parametric coordinate");
       }
     }
   }
 
   void read_elements2() {
-    for (auto n = counted("elements"); n > 0; --n) {
-      in_.next("an element");
-      const auto tag = in_.integer("an element number");
+    for (auto left = counted("elements"); left > 0;) {
+      // Text has a header in each element, a binary file one for several.
+      in_.record("an element");
+      long long number = in_.is_binary() ? 0 : in_.integer("an element number");
       const auto type = in_.integer("an element type");
-      std::vector<long long> groups;
-      for (auto tags = in_.count("the number of tags"), k = 0LL; k < tags; ++k) {
-        const auto value = in_.integer("a tag");
-        if (k == 0 && value != 0) groups.push_back(std::abs(value));  // the others are gmsh's own
+      const auto block = in_.is_binary() ? in_.integer("the number of elements in the block") : 1;
+      if (block < 1) in_.fail("expected elements in the block, found " + std::to_string(block));
+      const auto tags = in_.integer("the number of tags");
+      if (tags < 0) in_.fail("the number of tags is negative: " + std::to_string(tags));
+      for (auto k = block; k > 0; --k, --left) {
+        if (in_.is_binary()) number = in_.integer("an element number");
+        std::vector<long long> groups;
+        for (auto t = 0LL; t < tags; ++t) {
+          const auto value = in_.integer("a tag");
+          if (t == 0 && value != 0) groups.push_back(std::abs(value));  // the others are gmsh's own
+        }
+        read_element(number, type, groups);
       }
-      read_element(tag, type, groups);
     }
   }
 
   void read_elements4() {
     for (auto blocks = counted("element blocks"); blocks > 0; --blocks) {
-      in_.next("a block of elements");
+      in_.record("a block of elements");
       const auto dimension = static_cast<int>(in_.integer("a dimension"));
       const auto entity = in_.integer("an entity's number");
       const auto type = in_.integer("an element type");
-      const auto count = in_.count("the number of elements in the block");
+      const auto elements = in_.count("the number of elements in the block");
       const auto groups = entities_.find({dimension, entity});
       if (groups == entities_.end()) {
         in_.fail("$Entities has no entity " + std::to_string(entity) + " of dimension " +
                  std::to_string(dimension));
       }
-      for (long long k = 0; k < count; ++k) {
-        in_.next("an element");
-        const auto tag = in_.integer("an element number");
-        read_element(tag, type, groups->second);
+      for (long long k = 0; k < elements; ++k) {
+        in_.record("an element");
+        const auto number = in_.tag("an element number");
+        read_element(number, type, groups->second);
       }
     }
   }
 
-  void read_element(long long tag, long long type, const std::vector<long long>& groups) {
-    if (groups.empty()) return;
-    const auto name = "element " + std::to_string(tag);
+  void leave_out(long long number, long long type) {
+    if (const auto shape = shape_of(type))
+      ++file_.left_out[static_cast<std::size_t>(traits(*shape).dimension)];
+    if (!in_.is_binary()) return;
+    const int nodes = nodes_of(type);
+    if (nodes == 0)
+      in_.fail("element " + std::to_string(number) + " is of gmsh's type " + std::to_string(type) +
+               ", whose nodes are not known; write the file as ASCII (Mesh.Binary = 0)");
+    for (int k = 0; k < nodes; ++k)
+      in_.tag("a node of an element");
+  }
+
+  void read_element(long long number, long long type, const std::vector<long long>& groups) {
+    if (groups.empty()) return leave_out(number, type);
+    const auto name = "element " + std::to_string(number);
     const auto shape = shape_of(type);
-    if (!shape) {
-      in_.fail(name + " is " + type_name(type) +
-               "; only points, lines and triangles of first order "
-               "are read");
-    }
+    if (!shape) in_.fail(name + " is " + what_is_refused(type));
     const int dimension = traits(*shape).dimension;
-    MshElement element{tag, in_.line(), *shape, 0, {}};
-    for (int k = 0; k < traits(*shape).vertices; ++k) {
-      element.nodes[static_cast<std::size_t>(k)] = in_.integer("a node of " + name);
-    }
-    in_.end("the nodes of " + name);
+    MshElement element{number, in_.line(), *shape, 0, {}};
+    const auto node = "a node of " + name;
+    for (int k = 0; k < traits(*shape).vertices; ++k)
+      element.nodes[static_cast<std::size_t>(k)] = in_.tag(node);
+    in_.end_record("the nodes of " + name);
     for (const auto group : groups) {
-      const auto found = groups_.find({dimension, group});
-      if (found == groups_.end()) {
-        in_.fail(name + " belongs to physical group " + std::to_string(group) + " of dimension " +
-                 std::to_string(dimension) + ", which has no name in $PhysicalNames");
-      }
-      element.group = found->second;
+      const auto [known, fresh] =
+          groups_.emplace(std::pair(dimension, group), static_cast<int>(file_.groups.size()));
+      if (fresh) file_.groups.push_back({"", dimension, group});
+      element.group = known->second;
       file_.elements.push_back(element);
     }
   }
 
-  LineScanner in_;
+  MshScanner in_;
   MshFile file_;
   bool version4_ = false;
   std::string skip_to_;
   std::map<std::pair<int, long long>, int>
       groups_;  // dimension and number to place in file_.groups
   std::map<std::pair<int, long long>, std::vector<long long>>
-      entities_;  // to their physical groups
+      entities_;                     // to their physical groups
+  long long parts_ = 0;              // that the file says there are
+  std::set<long long> parts_there_;  // that hold anything of it
 };
 
 }  // namespace

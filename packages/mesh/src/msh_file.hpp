@@ -10,7 +10,7 @@ namespace hawser {
 
 struct MshNode {
   long long tag;
-  int line;  ///< of the file, for messages
+  int line;  ///< of the file, for messages; 0 in a binary one
   std::array<double, 3> position;
 };
 
@@ -34,9 +34,12 @@ struct MshFile {
   std::vector<MshNode> nodes;
   std::vector<MshGroup> groups;
   std::vector<MshElement> elements;
+  std::array<long long, 4> left_out{};  ///< by dimension: elements of no group
 };
 
-/// MSH 2.2 and 4.1, ASCII. MeshError with file and line.
+/// MSH 2.2 and 4.1, ASCII or binary, whole or partitioned (the parts are forgotten). A group
+/// without a name is called by its number, where that is another group's name or number too
+/// "point_7", "curve_7" or "surface_7". MeshError with file and line, or byte.
 MshFile read_msh(const std::string& path);
 
 }  // namespace hawser

@@ -21,12 +21,13 @@ class Numbering {
     mesh.dimension = dimension_;
     add_vertices(mesh);
     add_regions(mesh);
+    note_what_is_left_out(mesh);
     return mesh;
   }
 
  private:
   [[noreturn]] void fail(int line, const std::string& sentence) const {
-    throw MeshError(file_.path + ":" + std::to_string(line) + ": " + sentence);
+    throw MeshError(file_.path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + sentence);
   }
 
   static std::string name(const MshElement& element) {
@@ -86,6 +87,18 @@ class Numbering {
       mesh.vertices.ids.push_back(mesh.vertices.size());
     }
     mesh.vertices.global_count = mesh.vertices.size();
+  }
+
+  void note_what_is_left_out(Mesh& mesh) const {
+    // Those of lower dimension are gmsh's own, when it saves all.
+    if (const auto cells = file_.left_out[2]; cells > 0)
+      mesh.notes.push_back(counted(static_cast<std::size_t>(cells), "triangle") +
+                           " of the mesh file in no physical group left out; where they are "
+                           "wanted, name their surface in gmsh (Physical Surface)");
+    const auto nodes = std::count(vertex_of_node_.begin(), vertex_of_node_.end(), -1);
+    if (nodes > 0)
+      mesh.notes.push_back(counted(static_cast<std::size_t>(nodes), "node") +
+                           " of the mesh file in no element of a physical group left out");
   }
 
   void add_regions(Mesh& mesh) {
@@ -187,6 +200,10 @@ std::vector<LocalIndex> sorted_vertices(const Region& region, LocalIndex cell) {
   append_cell(region.vertices, cell, region.vertices_per_cell, vertices);
   std::sort(vertices.begin(), vertices.end());
   return vertices;
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 std::string position_text(const Mesh& mesh, LocalIndex vertex) {

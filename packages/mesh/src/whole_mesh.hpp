@@ -31,6 +31,9 @@ inline void append_cell(const std::vector<LocalIndex>& from, LocalIndex cell, in
 /// The same set of vertices is the same cell, wherever it begins.
 std::vector<LocalIndex> sorted_vertices(const Region& region, LocalIndex cell);
 
+/// "1 edge", "7 edges".
+std::string counted(std::size_t count, const std::string& what);
+
 /// "(x, y)" of a vertex, for messages.
 std::string position_text(const Mesh& mesh, LocalIndex vertex);
 

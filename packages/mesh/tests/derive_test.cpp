@@ -51,7 +51,7 @@ TEST(Patches, GoOnWhereLinesOfOneListMeet) {
   const auto first = line("first", {at(1, 2), at(2, 2)});
   const auto second = line("second", {at(3, 2), at(2, 2)});
   const auto both = Domain::patches(lines({"first", "second"}));
-  const auto mesh = with({first, second}, {both});
+  const auto mesh = with({first, second}, {both, Domain("water")});
   EXPECT_EQ(count_cells(mesh, both), 1);
   for (const auto& patch : cells(mesh, both))
     EXPECT_THAT(patch, ElementsAre(at(1, 2), at(2, 2), at(3, 2)));
@@ -72,8 +72,8 @@ TEST(Patches, AreRefusedWhereALineBranches) {
 TEST(Patches, OfLinesThatMeetAreNotedToBeHinged) {
   const auto through = line("through", {at(1, 2), at(2, 2), at(3, 2)});
   const auto branch = line("branch", {at(2, 2), at(2, 3), at(2, 4)});
-  const auto mesh =
-      with({through, branch}, {Domain::patches("through"), Domain::patches("branch")});
+  const auto mesh = with({through, branch},
+                         {Domain::patches("through"), Domain::patches("branch"), Domain("water")});
   if (!mesh.communicator.is_root()) return;
   EXPECT_THAT(mesh.notes, ElementsAre("the lines of 'through' and 'branch' are hinged to each "
                                       "other at (2, 2); to bend together there, they must be of "

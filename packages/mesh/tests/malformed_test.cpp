@@ -55,8 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"NoMesh", "$MeshFormat", "solid", ":1: expected $MeshFormat: no MSH file"},
         Fault{"OldVersion", "2.2 0", "4 0",
               ":2: MSH format 4 is not read; write 4.1 or 2.2 (Mesh.MshFileVersion)"},
-        Fault{"Binary", "2.2 0", "2.2 1",
-              ":2: the file is binary; write it as ASCII (Mesh.Binary = 0)"},
+        Fault{"BinaryOfFourBytes", "2.2 0 8", "2.2 1 4",
+              ":2: numbers of 4 bytes are not read, only of 8"},
         Fault{"UnclosedSection", "$EndNodes", "5 3 3 0", ":15: expected $EndNodes, found '5'"},
         Fault{"Coordinate", "1 0 0 0", "1 0 o 0", ":11: expected a coordinate, found 'o'"},
         Fault{"NotFinite", "1 0 0 0", "1 0 nan 0", ":11: expected a coordinate, found 'nan'"},
@@ -75,15 +75,18 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"SameNode", "2 2 1 2 3", "2 2 1 2 2", ":19: element 2 names node 2 twice"},
         Fault{"NoArea", "2 2 1 2 3", "2 2 1 2 4",
               ":19: element 2 of 'water' is flat or folded over"},
-        Fault{"NoName", "2 2 2 2 2", "2 2 2 5 2",
-              ":19: element 2 belongs to physical group 5 of dimension 2, which has no name in "
-              "$PhysicalNames"},
         Fault{"Quadrilateral", "2 2 2 2 2 1 2 3", "2 3 2 2 2 1 2 4 3",
               ":19: element 2 is a quadrilateral; only points, lines and triangles of first order "
-              "are read"},
+              "are read: mesh without Recombine (Mesh.RecombineAll = 0)"},
         Fault{"SecondOrder", "2 2 2 2 2 1 2 3", "2 9 2 2 2 1 2 3 4 5 6",
-              ":19: element 2 is a second-order triangle; only points, lines and triangles of "
-              "first order are read"},
+              ":19: element 2 is a triangle of higher order; only points, lines and triangles of "
+              "first order are read: write it with Mesh.ElementOrder = 1"},
+        Fault{"Tetrahedron", "2 2 2 2 2 1 2 3", "2 4 2 2 2 1 2 3 4",
+              ":19: element 2 is a tetrahedron; only points, lines and triangles of first order "
+              "are read: mesh the plane only (gmsh -2)"},
+        Fault{"OfAStrangeType", "2 2 2 2 2 1 2 3", "2 999 2 2 2 1 2 3 4",
+              ":19: element 2 is of gmsh's type 999; only points, lines and triangles of first "
+              "order are read: mesh with gmsh -2 -order 1"},
         Fault{"Again", "2\n1 1 2", "3\n7 1 2 1 1 2 1\n1 1 2",
               ":19: element 1 of 'wall' has the same nodes as element 7"},
         Fault{"EmptyGroup", "1 1 2 1 1 1 2", "1 1 2 0 1 1 2",

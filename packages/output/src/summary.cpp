@@ -39,6 +39,9 @@ void Summary::set(const std::string& key, bool flag) { value(key) = flag; }
 void Summary::set(const std::string& key, const std::vector<double>& numbers) {
   value(key) = numbers;
 }
+void Summary::set(const std::string& key, const std::vector<std::string>& texts) {
+  value(key) = texts;
+}
 void Summary::set(const std::string& key, const std::string& text) { value(key) = text; }
 void Summary::set(const std::string& key, const char* text) { value(key) = std::string(text); }
 

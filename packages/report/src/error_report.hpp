@@ -19,6 +19,9 @@ class ErrorReport : public Report {
   ErrorReport(const ErrorDeck& deck, const ReportContext& context, Diagnostics& diagnostics);
 
   /// SolveError where the exact solution has no value.
+  std::vector<std::string> quantities() const override {
+    return {deck_.name + "_error_l2", deck_.name + "_error_max"};
+  }
   void summarise(const Step& last, Summary& summary) const override;
 
  private:

@@ -1,8 +1,20 @@
 #include "hawser/report/expectations.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hawser {
+
+void check_expectations(const std::vector<ExpectDeck>& expectations,
+                        const std::vector<std::string>& quantities, Diagnostics& diagnostics) {
+  for (const ExpectDeck& expect : expectations) {
+    const std::string& name = expect.quantity.value;
+    if (std::find(quantities.begin(), quantities.end(), name) == quantities.end())
+      diagnostics.error(expect.quantity.location,
+                        "nothing here reports a quantity " + quoted(name) + "; there are " +
+                            listed(quantities) + did_you_mean(name, quantities));
+  }
+}
 
 std::vector<Judgement> judge(const std::vector<ExpectDeck>& expectations, const Summary& summary) {
   std::vector<Judgement> result;

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 #include "hawser/fields/look_up.hpp"
 #include "hawser/physics/field_use.hpp"
 #include "hawser/report/report_name.hpp"
@@ -15,13 +18,30 @@ Spec<ForceDeck> ForceDeck::spec() {
       .attribute("name", &P::name, required(), "Start of the quantities' names.")
       .attribute("on", &P::on, required(), "Region whose velocity rows are summed.")
       .attribute("module", &P::module,
-                 "Module whose load on the region is reported, of several of a kind the sum; all "
-                 "for the reaction.")
+                 "Module whose load on the region is reported; all for the reaction.")
+      .attribute("module-on", &P::module_on, absent("all modules of that name"),
+                 "Regions of the modules that are meant, where several have the name; all of them "
+                 "for the sum. Without it a note says that the load is a sum.")
       .attribute("axis", &P::axis, "1", any() && length(2, 3) && absent("+x"),
                  "Direction of the component called along; across is 90 degrees left, in "
                  "space the magnitude of the rest.")
       .check(check_report_name<P>);
 }
+
+namespace {
+
+/// On one of these regions; on any where none is named.
+bool lives_on(const PhysicsModule& module, const std::vector<std::string>& regions) {
+  if (regions.empty()) return true;
+  for (const auto& kernel : module.kernels)
+    for (const std::string& region : kernel->domain().regions)
+      if (kernel->domain().kind == Domain::Kind::cells &&
+          std::find(regions.begin(), regions.end(), region) != regions.end())
+        return true;
+  return false;
+}
+
+}  // namespace
 
 ForceReport::ForceReport(const ForceDeck& deck, const ReportContext& context,
                          Diagnostics& diagnostics)
@@ -41,7 +61,41 @@ ForceReport::ForceReport(const ForceDeck& deck, const ReportContext& context,
   if (region != nullptr && velocity >= 0)
     for (const LocalIndex row : dofs.region_rows(velocity, *region))
       if (row < dofs.owned()) rows_.push_back(row);
+  if (region != nullptr && velocity >= 0 && !dofs.mesh().communicator.any(!rows_.empty()))
+    diagnostics.error(deck.on.location, "no module solves for a velocity on region '" +
+                                            deck.on.value + "': there is no force to report");
   if (deck.module.value != "all") choose_modules(context.modules, diagnostics);
+  if (region != nullptr) note_a_sum(context.modules, *region, diagnostics);
+}
+
+/// A region of one module alone that another of the name meets, as in the joint of two cables,
+/// could mean either; one that they share among them, such as the wall of two waters, means both.
+void ForceReport::note_a_sum(const std::vector<PhysicsModule>& modules, const Region& region,
+                             Diagnostics& diagnostics) const {
+  if (!deck_.module_on.value.empty()) return;
+  const Mesh& mesh = assembler_.dofs().mesh();
+  // All cells at an owned vertex are here.
+  std::set<LocalIndex> wanted(region.vertices.begin(), region.vertices.end());
+  wanted.erase(wanted.lower_bound(mesh.vertices.owned), wanted.end());
+  std::vector<std::string> there;
+  bool one_has_all = false;
+  for (const int m : modules_) {
+    const PhysicsModule& module = modules[static_cast<std::size_t>(m)];
+    std::set<LocalIndex> has;
+    for (const auto& kernel : module.kernels)
+      if (const Region* const domain = mesh.find(kernel->domain()); domain != nullptr)
+        for (const LocalIndex vertex : domain->vertices)
+          if (wanted.count(vertex) > 0) has.insert(vertex);
+    if (!mesh.communicator.any(!has.empty())) continue;
+    there.push_back(module.location.text());
+    one_has_all = !mesh.communicator.any(has.size() < wanted.size()) || one_has_all;
+  }
+  if (there.size() > 1 && one_has_all)
+    diagnostics.note(deck_.module.location,
+                     "force '" + deck_.name + "' is the sum of " + std::to_string(there.size()) +
+                         " modules '" + deck_.module.value + "' that meet on '" + deck_.on.value +
+                         "' (" + listed(there) +
+                         "); name in module-on=\"...\" the regions of those that are meant");
 }
 
 void ForceReport::choose_modules(const std::vector<PhysicsModule>& modules,
@@ -50,7 +104,13 @@ void ForceReport::choose_modules(const std::vector<PhysicsModule>& modules,
   std::vector<std::string> names = {"all"};
   for (std::size_t m = 0; m < modules.size(); ++m) {
     names.push_back(modules[m].name);
-    if (modules[m].name == wanted) modules_.push_back(static_cast<int>(m));
+    if (modules[m].name == wanted && lives_on(modules[m], deck_.module_on.value))
+      modules_.push_back(static_cast<int>(m));
+  }
+  if (modules_.empty() && std::count(names.begin(), names.end(), wanted) > 0) {
+    diagnostics.error(deck_.module_on.location,
+                      "no module '" + wanted + "' lives on " + listed(deck_.module_on.value));
+    return;
   }
   if (modules_.empty())
     diagnostics.error(deck_.module.location, "the deck has no module '" + wanted + "'; it has " +

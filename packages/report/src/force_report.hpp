@@ -9,7 +9,8 @@ struct ForceDeck {
   std::string name;
   Located<std::string> on;
   Located<std::string> module{"all", {}};
-  Located<std::vector<double>> axis;  ///< +x when empty
+  Located<std::vector<std::string>> module_on;  ///< all when empty
+  Located<std::vector<double>> axis;            ///< +x when empty
   static Spec<ForceDeck> spec();
 };
 
@@ -25,6 +26,8 @@ class ForceReport : public Report {
   /// Load on the region of the modules of that name (minus their residual), or the reaction.
   std::vector<double> measure(const Step& step) override;
   void choose_modules(const std::vector<PhysicsModule>& modules, Diagnostics& diagnostics);
+  void note_a_sum(const std::vector<PhysicsModule>& modules, const Region& region,
+                  Diagnostics& diagnostics) const;
 
   const Assembler& assembler_;
   ForceDeck deck_;

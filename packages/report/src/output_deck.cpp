@@ -13,7 +13,8 @@ Spec<OutputDeck> OutputDeck::spec() {
                  "Steps between checkpoints; 0 for none.")
       .attribute("checkpoint-at-end", &P::checkpoint_at_end,
                  "One more at the end, for another run to start from.")
-      .any_children(&P::reports, "reports");
+      .any_children(&P::reports, "reports")
+      .location(&P::location);
 }
 
 Spec<ExpectDeck> ExpectDeck::spec() {

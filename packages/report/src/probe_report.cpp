@@ -31,6 +31,9 @@ ProbeReport::ProbeReport(const ProbeDeck& deck, const ReportContext& context,
   if (point == nullptr) return;
   const std::vector<LocalIndex> rows = dofs.region_rows(index, *point);
   if (!rows.empty() && rows.front() < dofs.owned()) first_row_ = rows.front();
+  if (!communicator_.any(first_row_ >= 0))
+    diagnostics.error(deck.on.location, "no module solves for '" + deck.field.value + "' at '" +
+                                            deck.on.value + "': there is nothing to probe");
 }
 
 std::vector<double> ProbeReport::measure(const Step& step) {

@@ -32,6 +32,11 @@ Reports::Reports(const std::vector<PlannedReport>& planned, const ReportContext&
   }
 }
 
+void Reports::look_ahead(const Outlook& outlook, Diagnostics& diagnostics) const {
+  for (const auto& report : all_)
+    report->look_ahead(outlook, diagnostics);
+}
+
 void Reports::start(const ReportStart& start) {
   std::vector<Column> columns;
   for (const auto& report : all_) {
@@ -83,6 +88,21 @@ std::string Reports::closing() const {
   for (const auto& report : all_)
     text += report->closing();
   return text;
+}
+
+std::vector<std::string> Reports::quantities() const {
+  std::vector<std::string> names;
+  for (const auto& report : all_)
+    for (const std::string& name : report->quantities())
+      names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> Report::quantities() const {
+  std::vector<std::string> names;
+  for (const Column& column : columns())
+    names.push_back(quantity_name(column));
+  return names;
 }
 
 void Report::summarise(const Step& /*last*/, Summary& summary) const {

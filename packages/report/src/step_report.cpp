@@ -50,6 +50,20 @@ void StepReport::resume(const CheckpointNotes& notes) {
   courant_ = notes.numbers.at("courant");
 }
 
+std::vector<std::string> StepReport::quantities() const {
+  return {"end_time_s",
+          "mesh_quality_min",
+          "courant_max",
+          "steps",
+          "steps_rejected",
+          "newton_iterations",
+          "newton_iterations_mean",
+          "linear_iterations",
+          "linear_iterations_mean",
+          "unknowns",
+          "nodes"};
+}
+
 void StepReport::summarise(const Step& last, Summary& summary) const {
   const auto mean = [](long long sum, long long count) {
     return count > 0 ? static_cast<double>(sum) / static_cast<double>(count) : 0;

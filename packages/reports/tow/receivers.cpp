@@ -1,5 +1,7 @@
 #include "receivers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,12 +22,37 @@ std::vector<Column> columns_in(const Mesh& mesh) {
 
 Receivers::Receivers(const Assembler& assembler, const LineGeometry& line,
                      const ReceiversDeck& deck,
-                     std::function<std::vector<double>(double time)> axis)
+                     std::function<std::vector<double>(double time)> axis, Diagnostics& diagnostics)
     : assembler_(assembler), line_(line), deck_(deck), axis_(std::move(axis)) {
-  std::sort(deck_.times.begin(), deck_.times.end());
+  std::sort(deck_.times.value.begin(), deck_.times.value.end());
   const double end = line.arc_length().back() * (1 + 1e-12);
   for (int i = 0; deck_.first + i * deck_.spacing <= end; ++i)
     places_.push_back(deck_.first + i * deck_.spacing);
+  if (places_.empty())
+    diagnostics.error(deck.first.location,
+                      fmt::format("the first receiver, at {:g} m, is beyond the end of the cable "
+                                  "'{}', which is {:g} m long",
+                                  deck.first.value, line.region().name, line.arc_length().back()));
+}
+
+void Receivers::look_ahead(const RunSpan& span, Diagnostics& diagnostics) const {
+  if (deck_.every > 0 && deck_.times->empty() && !span.steady &&
+      deck_.every * span.first_step > 1.001 * (span.end - span.begin))
+    diagnostics.note(deck_.first.location,
+                     fmt::format("the receivers are asked for every {} steps, and in steps of {:g} "
+                                 "s the run ends before: nothing will be written of them",
+                                 deck_.every, span.first_step));
+  std::vector<std::string> beyond;
+  for (const double time : deck_.times.value)
+    if (time > span.end + 1e-9 * std::abs(span.end)) beyond.push_back(fmt::format("{:g}", time));
+  if (beyond.empty()) return;
+  const std::string text =
+      fmt::format("the receivers are asked for at t = {} s, and the run ends at {:g} s",
+                  hawser::listed(beyond), span.end);
+  if (span.shortened)
+    diagnostics.note(deck_.times.location, text + ", which is not the deck's end");
+  else
+    diagnostics.error(deck_.times.location, text);
 }
 
 void Receivers::open(const std::string& file, const ReportStart& start) {
@@ -34,14 +61,14 @@ void Receivers::open(const std::string& file, const ReportStart& start) {
                                     start.keep_until());
   before_ = sample(start.state);
   // The beginning is no step's end; a run that goes on has written it already.
-  for (const double time : deck_.times)
+  for (const double time : deck_.times.value)
     if (!start.goes_on && time == before_.time) file_->append(before_.rows);
 }
 
 void Receivers::stepped(const Step& step) {
   Sample now = sample(step.end);
   const double slack = 1e-9 * (now.time - before_.time);
-  for (const double time : deck_.times) {
+  for (const double time : deck_.times.value) {
     if (time <= before_.time + slack || time > now.time + slack) continue;
     const double share = std::min(1.0, (time - before_.time) / (now.time - before_.time));
     std::vector<double> rows = now.rows;
@@ -51,10 +78,10 @@ void Receivers::stepped(const Step& step) {
       rows[i] = time;
     file_->append(rows);
   }
-  const bool at_the_end = step.last && deck_.times.empty() && deck_.every == 0;
-  const bool asked_already = std::any_of(deck_.times.begin(), deck_.times.end(), [&](double time) {
-    return std::abs(time - now.time) <= slack;
-  });
+  const bool at_the_end = step.last && deck_.times->empty() && deck_.every == 0;
+  const bool asked_already =
+      std::any_of(deck_.times->begin(), deck_.times->end(),
+                  [&](double time) { return std::abs(time - now.time) <= slack; });
   if (at_the_end || (deck_.every > 0 && step.number % deck_.every == 0 && !asked_already))
     file_->append(now.rows);
   before_ = std::move(now);

@@ -20,9 +20,13 @@ namespace hawser {
 
 class Receivers {
  public:
-  /// `axis`: the tow axis at a time, a unit vector of the mesh's dimension.
+  /// `axis`: the tow axis at a time, a unit vector of the mesh's dimension. Receivers beyond the
+  /// cable's end go to `diagnostics`.
   Receivers(const Assembler& assembler, const LineGeometry& line, const ReceiversDeck& deck,
-            std::function<std::vector<double>(double time)> axis);
+            std::function<std::vector<double>(double time)> axis, Diagnostics& diagnostics);
+
+  /// Times that the run does not come to.
+  void look_ahead(const RunSpan& span, Diagnostics& diagnostics) const;
 
   /// Collective, as is stepped().
   void open(const std::string& file, const ReportStart& start);

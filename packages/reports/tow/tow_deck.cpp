@@ -15,9 +15,11 @@ Spec<TowDeck> TowDeck::spec() {
       .attribute("tow-point", &P::tow_point, required(), "Point region where it is towed.")
       .attribute("angle", &P::angle, "deg", between(-180, 180),
                  "Of the tow axis from upstream (+y) toward +x.")
-      .attribute("speed", &P::speed, "m/s", non_negative(),
+      .attribute("speed", &P::speed, "m/s",
+                 non_negative() && absent("no exact values, unless on a track"),
                  "Of the tow, for the exact straight-cable values.")
-      .attribute("current", &P::current, "m/s", non_negative(), "Of the water along -y, likewise.")
+      .attribute("current", &P::current, "m/s", non_negative() && absent("no exact values"),
+                 "Of the water along -y, likewise.")
       .attribute("track", &P::track, absent("straight on"),
                  "The <track> that is towed along: the tow axis is its present course, instead of "
                  "angle and speed.")

@@ -13,9 +13,10 @@ constexpr double degree = pi / 180;  // rad
 
 /// Receivers along the towed cable, as a table over time.
 struct ReceiversDeck {
-  double spacing = 12.5, first = 0;  ///< m along the cable at rest
-  std::vector<double> times;         ///< s
-  int every = 0;                     ///< steps
+  double spacing = 12.5;  ///< m along the cable at rest, as the next
+  Located<double> first;
+  Located<std::vector<double>> times;  ///< s
+  int every = 0;                       ///< steps
   static Spec<ReceiversDeck> spec();
 };
 
@@ -23,9 +24,9 @@ struct ReceiversDeck {
 struct TowDeck {
   std::string name;
   Located<std::string> cable, tow_point;
-  double angle = 0;                           ///< degrees, of the tow axis from upstream
-  double speed = 0;                           ///< m/s
-  double current = 0;                         ///< m/s, along -y
+  Located<double> angle;                      ///< degrees, of the tow axis from upstream
+  std::optional<double> speed;                ///< m/s
+  std::optional<double> current;              ///< m/s, along -y
   std::optional<Located<std::string>> track;  ///< instead of angle and speed
   std::optional<ReceiversDeck> receivers;
   static Spec<TowDeck> spec();

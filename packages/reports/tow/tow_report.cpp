@@ -62,6 +62,8 @@ TowReport::TowReport(const TowDeck& deck, const ReportContext& context, Diagnost
   const Region* const tow_point = find_point(mesh, deck.tow_point, "<tow>", diagnostics);
   find_field(dofs_, {field_name::velocity, deck.cable.location}, diagnostics);
   if (cable == nullptr || tow_point == nullptr) return;
+  for (const LocalIndex vertex : tow_point->vertices)
+    if (vertex < mesh.vertices.owned) tow_point_ = vertex;
   try {
     line_ = std::make_unique<LineGeometry>(dofs_, *cable, *tow_point);
   } catch (const MeshError& error) {
@@ -69,8 +71,9 @@ TowReport::TowReport(const TowDeck& deck, const ReportContext& context, Diagnost
     return;
   }
   if (deck.receivers)
-    receivers_ = std::make_unique<Receivers>(context.assembler, *line_, *deck.receivers,
-                                             [this](double time) { return axis(time); });
+    receivers_ = std::make_unique<Receivers>(
+        context.assembler, *line_, *deck.receivers, [this](double time) { return axis(time); },
+        diagnostics);
 }
 
 std::vector<double> TowReport::axis(double time) const {
@@ -87,8 +90,8 @@ std::vector<double> TowReport::axis(double time) const {
 double TowReport::exact_end_error(double length, double time) const {
   // Relative to the water the cable moves with V along the axis and U against the current.
   const auto along = axis(time);
-  const double speed = track_ ? track_->speed(time) : deck_.speed;
-  const double x = speed * along[0], y = deck_.current + speed * along[1];
+  const double speed = track_ ? track_->speed(time) : *deck_.speed;
+  const double x = speed * along[0], y = *deck_.current + speed * along[1];
   const double relative = std::hypot(x, y);
   return relative > 0 ? length * std::abs(along[0] * y - along[1] * x) / relative : 0;
 }
@@ -104,11 +107,20 @@ std::vector<Column> TowReport::columns() const {
   return result;
 }
 
+std::vector<std::string> TowReport::quantities() const {
+  std::vector<std::string> names = Report::quantities();
+  if (has_exact())
+    for (const char* name : {"end_error_exact_m", "total_error_exact_m"})
+      names.push_back(deck_.named(name));
+  names.push_back(deck_.named("end_error_change_last_quarter_m"));
+  return names;
+}
+
 std::vector<double> TowReport::measure(const Step& step) {
   const double time = step.end.time;
   const std::vector<double> x = line_->positions(step.end), axis_of_tow = axis(time);
   last_ = measure_tow(x, distances_from_axis(x, axis_of_tow), axis_of_tow.size());
-  exact_ = exact_end_error(last_.length, time);
+  if (has_exact()) exact_ = exact_end_error(last_.length, time);
   end_errors_.emplace_back(time, last_.end_error);
   const Force force = tow_force(step.reactions, axis_of_tow);
   return {last_.end_error, last_.total_error, last_.total_error_arc, force.magnitude,
@@ -186,20 +198,26 @@ void TowReport::summarise(const Step& last, Summary& summary) const {
       least = std::min(least, error);
       greatest = std::max(greatest, error);
     }
-  summary.set(deck_.named("end_error_exact_m"), exact_);
-  summary.set(deck_.named("total_error_exact_m"), exact_ / 2);
+  if (exact_) {
+    summary.set(deck_.named("end_error_exact_m"), *exact_);
+    summary.set(deck_.named("total_error_exact_m"), *exact_ / 2);
+  }
   summary.set(deck_.named("end_error_change_last_quarter_m"), greatest - least);
 }
 
 std::string TowReport::closing() const {
   const std::string unit = dofs_.mesh().force_unit();
+  const auto metres = [](std::optional<double> value) {
+    return value ? fmt::format("{:.2f} m", *value) : std::string("-");
+  };
+  const auto half = exact_ ? std::optional(*exact_ / 2) : std::nullopt;
   return fmt::format(
       "\n{:<28}{:>14}{:>22}\n"
-      "{:<28}{:>12.2f} m{:>20.2f} m\n"
-      "{:<28}{:>12.2f} m{:>20.2f} m\n"
+      "{:<28}{:>12.2f} m{:>22}\n"
+      "{:<28}{:>12.2f} m{:>22}\n"
       "{:<28}{:>{}.0f} {}{:>22}\n",
-      deck_.name, "this run", "exact straight cable", "end error", last_.end_error, exact_,
-      "total error (along cable)", last_.total_error_arc, exact_ / 2,
+      deck_.name, "this run", "exact straight cable", "end error", last_.end_error, metres(exact_),
+      "total error (along cable)", last_.total_error_arc, metres(half),
       unit == "N" ? "tow force" : "tow force, per m of depth", values()[3], 13 - unit.size(), unit,
       "-");
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Positioning errors of a towed cable and the force at its tow point.
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "hawser/report/force.hpp"
@@ -34,6 +35,8 @@ class TowReport : public Report {
   TowReport(const TowDeck& deck, const ReportContext& context, Diagnostics& diagnostics);
 
   std::vector<Column> columns() const override;
+  std::vector<std::string> quantities() const override;
+  void look_ahead(const Outlook& outlook, Diagnostics& diagnostics) const override;
   void start(const ReportStart& start) override;
   void write(const Step& step, bool fields_due) override;
   void save(CheckpointNotes& notes) const override;
@@ -49,18 +52,22 @@ class TowReport : public Report {
   Force tow_force(const std::vector<double>& reactions, const std::vector<double>& axis) const;
   /// Unit vector in the plane z = 0 that points where the tow point goes.
   std::vector<double> axis(double time) const;
+  /// Whether the deck says enough for one.
+  bool has_exact() const { return deck_.current && (track_ || deck_.speed); }
   /// End error of a cable that is straight along the relative flow, m; on a track, of its course
-  /// and speed at that time.
+  /// and speed at that time. With has_exact().
   double exact_end_error(double length, double time) const;
+  void compare_motion(const Outlook& outlook, Diagnostics& diagnostics) const;
 
   const DofMap& dofs_;
   TowDeck deck_;
+  LocalIndex tow_point_ = -1;           // where it is owned
   std::shared_ptr<const Track> track_;  // null: straight on, by the deck's angle and speed
   std::unique_ptr<LineGeometry> line_;
   std::unique_ptr<Receivers> receivers_;
   std::unique_ptr<History> nodes_;
   TowMeasures last_;
-  double exact_ = 0;                                   // m, the end error at the last step
+  std::optional<double> exact_;                        // m, the end error at the last step
   std::vector<std::pair<double, double>> end_errors_;  // time, error
 };
 

@@ -1,6 +1,7 @@
 #include "hawser/simulation/case.hpp"
 
 #include <filesystem>
+#include <sstream>
 
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/deck_language.hpp"
@@ -182,10 +183,14 @@ ProvidedMesh provide_mesh(const Case& run_case, const std::string& place) {
 Mesh read_mesh(const Case& run_case, const std::string& file, std::vector<Domain> domains) {
   const MeshDeck& deck = run_case.deck().mesh;
   try {
-    return read_mesh(run_case.communicator(),
-                     {file, deck.slits, deck.dimension(), std::move(domains)});
+    return read_mesh(run_case.communicator(), {file, deck.slits, deck.dimension(),
+                                               std::move(domains), deck.apart, deck.open_boundary});
   } catch (const MeshError& error) {
-    throw MeshError(deck.location.text() + ": " + error.what());
+    std::string text;
+    std::istringstream faults(error.what());
+    for (std::string fault; std::getline(faults, fault);)
+      text += (text.empty() ? "" : "\n") + deck.location.text() + ": " + fault;
+    throw MeshError(text);
   }
 }
 

@@ -73,7 +73,16 @@ Quality quality_of(const Mesh& mesh) {
   return quality;
 }
 
+std::string notes_of(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& sentence : notes)
+    text += "note        " + sentence + "\n";
+  return text;
+}
+
 }  // namespace
+
+std::string check_with_mesh(const Case& run_case) { return notes_of(Stepper(run_case).notes()); }
 
 std::string preview(const Case& run_case) {
   Stepper stepper(run_case);
@@ -102,7 +111,7 @@ std::string preview(const Case& run_case) {
       "about {:.0f}, vectors {:.0f}\n",
       (now + factor + vectors) / megabyte, communicator.size(), now / megabyte, entries,
       factor / megabyte, vectors / megabyte);
-  return text;
+  return text + notes_of(stepper.notes());
 }
 
 std::string make_mesh(const Case& run_case, const std::string& file) {
@@ -121,7 +130,7 @@ std::string make_mesh(const Case& run_case, const std::string& file) {
                                                                : "cell";
     text += fmt::format("  {:<16} {} {}{}\n", region.name, cells, kind, cells == 1 ? "" : "s");
   }
-  return text;
+  return text + notes_of(mesh.notes);
 }
 
 }  // namespace hawser

@@ -57,9 +57,7 @@ class Run {
     const ProvidedMesh mesh = provide_mesh(case_, folder_.file("mesh.msh"));
     if (!mesh.made.empty()) log_->note(mesh.made);
     stepper_ = std::make_unique<Stepper>(case_, mesh.file);
-    for (const std::string& sentence : stepper_->system().mesh.notes)
-      log_->note(sentence);
-    for (const std::string& sentence : stepper_->system().notes)
+    for (const std::string& sentence : stepper_->notes())
       log_->note(sentence);
     folder_.write("resolved.xml", case_.resolved_deck());
     log_->start(heading());
@@ -72,6 +70,7 @@ class Run {
   Summary to_the_end() {
     step_to_the_end();
     Summary summary = stepper_->summary();
+    if (!stepper_->notes().empty()) summary.set("notes", stepper_->notes());
     add_timings(summary);
     add_provenance(case_.communicator(), summary);
     summary.object("provenance").set("deck", case_.text().file);

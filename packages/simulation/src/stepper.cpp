@@ -152,6 +152,8 @@ Attempt Stepper::advance(double longest) {
   return told(std::move(attempt));
 }
 
+const std::vector<std::string>& Stepper::notes() const { return system_->notes; }
+
 Summary Stepper::summary() const {
   Summary result;
   result.set("title", case_.deck().title);

@@ -6,6 +6,7 @@
 
 #include "hawser/assembly/check_domains.hpp"
 #include "hawser/fields/look_up.hpp"
+#include "hawser/report/expectations.hpp"
 #include "hawser/simulation/run_deck.hpp"
 #include "src/take_over.hpp"
 
@@ -33,6 +34,38 @@ void check_steady(const System& system, const LinearOptions& linear, double time
                     "<solver><linear method=\"mumps\"/></solver>");
 }
 
+std::vector<std::string> quantities_of(const RunDeck& deck, const Reports& reports) {
+  std::vector<std::string> names = reports.quantities();
+  if (deck.start.equilibrium) names.push_back("start_newton_iterations");
+  names.push_back("wall_s");
+  return names;
+}
+
+/// What does not fit together: DeckError, or notes.
+void look_ahead(const Case& run_case, System& system, Diagnostics& diagnostics) {
+  const RunDeck& deck = run_case.deck();
+  const State& state = system.problem->state();
+  const bool restarted = run_case.checkpoint() != nullptr;
+  RunSpan span;
+  span.begin = restarted ? run_case.checkpoint()->header().time : state.time;
+  span.end = deck.time.end;
+  span.first_step = deck.time.step;
+  span.steady = deck.time.steady();
+  span.finds_start = restarted || deck.start.from || deck.start.equilibrium;
+  span.shortened = run_case.end().has_value();
+  system.conditions->look_ahead(state, span, diagnostics);
+  system.reports->look_ahead({span, state, *system.conditions}, diagnostics);
+  if (const int every = deck.output.checkpoint_every;
+      every > 0 && !span.steady && every * span.first_step > 1.001 * (span.end - span.begin))
+    diagnostics.note(deck.output.location, "a checkpoint is asked for every " +
+                                               std::to_string(every) + " steps, and in steps of " +
+                                               write_value(span.first_step) +
+                                               " s the run ends before the first one");
+  diagnostics.throw_if_any();
+  for (const std::string& note : diagnostics.notes())
+    system.notes.push_back(note);
+}
+
 }  // namespace
 
 std::unique_ptr<System> build_system(const Case& run_case, const std::string& mesh_file) {
@@ -40,6 +73,7 @@ std::unique_ptr<System> build_system(const Case& run_case, const std::string& me
   auto system = std::make_unique<System>();
   system->modules = run_case.make_modules();
   system->mesh = read_mesh(run_case, mesh_file, domains_of(system->modules));
+  system->notes = system->mesh.notes;
   Diagnostics diagnostics;
   check_domains(system->mesh, system->modules, diagnostics);
   diagnostics.throw_if_any();
@@ -54,6 +88,8 @@ std::unique_ptr<System> build_system(const Case& run_case, const std::string& me
       run_case.reports(),
       ReportContext{*system->assembler, system->modules, system->table.rate_rules, tracks},
       diagnostics);
+  if (diagnostics.ok())
+    check_expectations(deck.expectations, quantities_of(deck, *system->reports), diagnostics);
   diagnostics.throw_if_any();
 
   system->integrator = std::make_unique<TimeIntegrator>(
@@ -62,6 +98,7 @@ std::unique_ptr<System> build_system(const Case& run_case, const std::string& me
                                                      *system->conditions);
   system->conditions->set_initial(system->problem->state());
   if (!run_case.checkpoint() && deck.start.from) take_over(run_case, *system);
+  look_ahead(run_case, *system, diagnostics);
   system->problem->start();
   const auto& reports = system->reports->all();
   if (deck.time.energy_growth > 0 || std::any_of(reports.begin(), reports.end(), [](const auto& r) {

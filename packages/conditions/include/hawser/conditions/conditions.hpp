@@ -2,6 +2,7 @@
 // Initial and prescribed values, resolved to rows.
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "hawser/assembly/constraints.hpp"
@@ -9,6 +10,14 @@
 #include "hawser/values/tracks.hpp"
 
 namespace hawser {
+
+/// When a run is, s.
+struct RunSpan {
+  double begin = 0, end = 0, first_step = 0;
+  bool steady = false;       ///< its solves have no velocity: nothing jumps
+  bool finds_start = false;  ///< by <start>, not by the initial values alone
+  bool shortened = false;    ///< the end is not the deck's
+};
 
 class Conditions {
  public:
@@ -29,6 +38,18 @@ class Conditions {
   /// True when some value depends on the moved position: prescribed() then changes within a step.
   bool follow_the_mesh() const { return follow_the_mesh_; }
 
+  /// What does not fit together, before the first step from `start`: prescriptions that disagree at
+  /// a node, that never hold, that begin far from the initial values. Collective.
+  void look_ahead(const State& start, const RunSpan& span, Diagnostics& diagnostics) const;
+
+  /// What a vertex's displacement is prescribed to be at a time, and how fast it changes then;
+  /// reference and moved positions stand as in `state`. Nothing where a component is free, or on
+  /// ranks that do not know the vertex. Not collective.
+  struct Motion {
+    std::vector<double> place, velocity;  ///< per component, m and m/s
+  };
+  std::optional<Motion> prescribed_motion(LocalIndex vertex, double time, const State& state) const;
+
   /// Edges of the windows of time, s.
   std::vector<double> events() const;
 
@@ -39,9 +60,15 @@ class Conditions {
     bool has_rate = true;
     int first_component = 0;
     std::shared_ptr<const ValueSource> source;
+    Location location;
+    std::string field, on;  // for messages
+    bool replaces = false;
     double from = -std::numeric_limits<double>::infinity();
     double until = std::numeric_limits<double>::infinity();
   };
+  struct Disagreement;
+  std::vector<Disagreement> disagreements(const State& start, const RunSpan& span) const;
+  void find_jumps(const State& start, const RunSpan& span, Diagnostics& diagnostics) const;
   Entry resolve(const ConditionDeck& deck, const Tracks& tracks, Diagnostics& diagnostics) const;
   void set_initial(const Entry& entry, State& state) const;
   void prescribe(const Entry& entry, const State& state, const State& end,

@@ -16,6 +16,8 @@ struct ConditionDeck : Sources {
   Located<std::vector<std::string>> on;
   Located<std::string> component{"all", {}};
   std::optional<double> from, until;  ///< s
+  bool replaces = false;              ///< meant to hold where earlier ones say something else
+  Location location;
   static Spec<ConditionDeck> initial_spec();
   static Spec<ConditionDeck> prescribe_spec();
 };

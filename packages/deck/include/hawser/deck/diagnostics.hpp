@@ -1,5 +1,6 @@
 #pragma once
-// Collects every fault of a deck, so that a user mends them all in one go.
+// Collects every fault of a deck, so that a user mends them all in one go, and what he may not
+// expect.
 //
 // All ranks read the same text, so all ranks collect the same faults: nothing here communicates,
 // and what is reported must not depend on the rank.
@@ -13,19 +14,24 @@ namespace hawser {
 class Diagnostics {
  public:
   void error(const Location& where, const std::string& sentence);
+  /// No fault, but worth a look: told in the run's head.
+  void note(const Location& where, const std::string& sentence);
 
   std::size_t error_count() const { return errors_.size(); }
   bool ok() const { return errors_.empty(); }
 
   std::string error_text() const;  ///< one line "file:line:column: sentence" per fault, by place
   void throw_if_any() const;       ///< one DeckError with error_text(), if there are errors
+  std::vector<std::string> notes() const;  ///< "file:line:column: sentence", by place
 
  private:
   struct Entry {
     Location where;
     std::string sentence;
   };
-  std::vector<Entry> errors_;
+  static void add(std::vector<Entry>& entries, const Location& where, const std::string& sentence);
+  static std::vector<std::string> texts(std::vector<Entry> entries);
+  std::vector<Entry> errors_, notes_;
 };
 
 /// The allowed name that `given` most probably stands for; empty when none is near. Nearness is the

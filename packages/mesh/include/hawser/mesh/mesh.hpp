@@ -79,14 +79,18 @@ struct Mesh {
 std::vector<LocalIndex> places_in(const Region& whole, const Region& part);
 
 struct MeshOptions {
-  std::string file;                ///< MSH 2.2 or 4.1, ASCII
+  std::string file;                ///< MSH 2.2 or 4.1
   std::vector<std::string> slits;  ///< line regions across which split vertices are doubled
   int dimension = 2;               ///< 3: z is read too, and there may be no triangles
   std::vector<Domain> domains{};   ///< to be made beside the named regions, where there is any
+  // What the audit (mesh_audit.hpp) would find, and what is meant:
+  std::vector<std::string> apart{};  ///< regions that share no nodes with what is at their place
+  bool open_boundary = false;        ///< boundary edges may be in no region
 };
 
-/// Reads on rank 0, finds edges, sides and domains there, partitions with METIS and scatters.
-/// Collective; MeshError on all ranks.
+/// Reads on rank 0, finds edges, sides and domains there, audits the mesh, partitions with METIS
+/// and scatters. Collective; MeshError on all ranks, with a line for each error that the audit
+/// found.
 Mesh read_mesh(const Communicator& communicator, const MeshOptions& options);
 
 }  // namespace hawser

@@ -15,7 +15,8 @@ struct MeshFileDeck {
 };
 
 struct MeshDeck {
-  std::vector<std::string> slits;
+  std::vector<std::string> slits, apart;
+  bool open_boundary = false;
   // Exactly one of these says where the mesh comes from.
   std::optional<TowBox> tow_box;
   std::optional<WaterBox> water_box;

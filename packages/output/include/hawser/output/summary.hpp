@@ -20,6 +20,7 @@ class Summary {
   void set(const std::string& key, long long value);
   void set(const std::string& key, bool value);
   void set(const std::string& key, const std::vector<double>& values);
+  void set(const std::string& key, const std::vector<std::string>& values);
   void set(const std::string& key, const std::string& value);
   void set(const std::string& key, const char* value);
   Summary& object(const std::string& key);  ///< the nested object of that name, made if need be
@@ -32,7 +33,7 @@ class Summary {
 
  private:
   using Value = std::variant<double, long long, bool, std::string, std::vector<double>,
-                             std::shared_ptr<Summary>>;
+                             std::vector<std::string>, std::shared_ptr<Summary>>;
   friend struct SummaryToJson;
   Value& value(const std::string& key);
   std::vector<std::pair<std::string, Value>> values_;

@@ -14,6 +14,10 @@ struct Judgement {
   bool holds = false;
 };
 
+/// Expectations of quantities that are none of those, before a run.
+void check_expectations(const std::vector<ExpectDeck>& expectations,
+                        const std::vector<std::string>& quantities, Diagnostics& diagnostics);
+
 std::vector<Judgement> judge(const std::vector<ExpectDeck>& expectations, const Summary& summary);
 
 /// Adds "expectations" and "expectations_failed", unless nothing is expected.

@@ -11,6 +11,7 @@ struct OutputDeck {
   int fields_every = 0, history_every = 1,
       checkpoint_every = 0;  ///< steps; 0: never, but fields at the end
   bool checkpoint_at_end = false;
+  Location location;
   std::vector<DeckNode> reports;
   static Spec<OutputDeck> spec();
 };

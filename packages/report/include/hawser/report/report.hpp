@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hawser/assembly/assembler.hpp"
+#include "hawser/conditions/conditions.hpp"
 #include "hawser/output/checkpoint.hpp"
 #include "hawser/output/grid.hpp"
 #include "hawser/output/history.hpp"
@@ -30,6 +31,13 @@ struct Step {
   const EnergyAccount* energy = nullptr;  ///< at the end of the step; none where nobody looks at it
 };
 
+/// What is known of a run before its first step.
+struct Outlook {
+  RunSpan span;
+  const State& state;  ///< at which it begins
+  const Conditions& conditions;
+};
+
 /// What a report is made for, beside its parameters. All but the tracks outlives the report.
 struct ReportContext {
   const Assembler& assembler;
@@ -50,8 +58,8 @@ struct ReportStart {
   }
 };
 
-/// All members are called on all ranks together, in the order start() or resume() and start(); per
-/// step accepted() and write(); at the end summarise() and closing().
+/// All members are called on all ranks together, in the order look_ahead(); start() or resume() and
+/// start(); per step accepted() and write(); at the end summarise() and closing().
 class Report {
  public:
   Report() = default;
@@ -61,6 +69,13 @@ class Report {
 
   /// Its columns of history.csv; quantity_name() of them are quantities of the summary, too.
   virtual std::vector<Column> columns() const { return {}; }
+  /// Names of the numbers that summarise() sets; those of the columns unless it sets others, too.
+  /// A deck that expects another quantity is refused before the run.
+  virtual std::vector<std::string> quantities() const;
+  /// What it is asked for that this run will not have: an error where the answer would be wrong or
+  /// missing, a note where that may be meant.
+  virtual void look_ahead(const Outlook& /*outlook*/, Diagnostics& /*diagnostics*/) const {}
+
   void accepted(const Step& step) { values_ = measure(step); }
   const std::vector<double>& values() const { return values_; }  ///< of the last step, per column
 

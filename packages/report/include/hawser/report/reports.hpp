@@ -17,6 +17,7 @@ class Reports {
           Diagnostics& diagnostics);
 
   /// As Report has them.
+  void look_ahead(const Outlook& outlook, Diagnostics& diagnostics) const;
   void start(const ReportStart& start);
   void accepted(const Step& step);
   void write(const Step& step, bool history_due, bool fields_due);
@@ -24,6 +25,7 @@ class Reports {
   void resume(const CheckpointHeader& header);
   void summarise(const Step& last, Summary& summary) const;
   std::string closing() const;
+  std::vector<std::string> quantities() const;  ///< that the summary will have
   void rejected() { steps_->rejected(); }
 
   const MeshFigures& mesh_figures() const { return steps_->mesh_figures(); }

@@ -15,6 +15,7 @@ class StepReport : public Report {
   std::vector<Column> columns() const override;
   void save(CheckpointNotes& notes) const override;
   void resume(const CheckpointNotes& notes) override;
+  std::vector<std::string> quantities() const override;
   void summarise(const Step& last, Summary& summary) const override;
 
  private:

@@ -19,8 +19,13 @@ struct RunOptions {
 /// obeyed (base/signals.hpp). Returns what summary.json says. Collective; any Error on all ranks.
 Summary run(const Case& run_case, const RunOptions& options);
 
-/// What a run would need: unknowns, memory, mesh quality, Courant number. Writes nothing.
-/// Collective; the text is rank 0's.
+/// Builds all that a run would, which finds every fault that only the mesh shows, and says what a
+/// user may not expect (Stepper::notes()), a line for each; empty when there is nothing.
+/// Collective; any Error on all ranks; the text is rank 0's.
+std::string check_with_mesh(const Case& run_case);
+
+/// What a run would need: unknowns, memory, mesh quality, Courant number; and the same notes.
+/// Writes nothing. Collective; the text is rank 0's.
 std::string preview(const Case& run_case);
 
 /// Makes the case's mesh as `file`, unless it is a file already, and says what it is like.

@@ -71,6 +71,8 @@ class Stepper {
   Stepper& operator=(const Stepper&) = delete;
 
   const Case& run_case() const { return case_; }
+  /// What a user may not expect of the mesh, the deck or the start; on rank 0. Not collective.
+  const std::vector<std::string>& notes() const;
   /// Finds the state at which the run begins, where the deck's <start> asks for more than initial
   /// values; advance() does it first when nobody did. SolveError when there is none.
   void start();
