@@ -18,7 +18,8 @@
 namespace hawser {
 namespace {
 
-constexpr auto what_to_try =
+/// Where Newton's method fails; not where a formula is no number.
+const std::string what_to_try =
     "; a steady solve has no shorter step to try. What may lead to its solution: "
     "<newton pseudo-step=\"1\"/>; loads that grow with t, over several steps (<time step> shorter "
     "than its end); <start><equilibrium><continuation> from an easier value of a parameter, such "
@@ -147,7 +148,7 @@ Attempt Stepper::advance(double longest) {
     attempt.why = error.what();
     if (!case_.deck().time.single_solve()) return cut(std::move(attempt));
     told(std::move(attempt));
-    throw SolveError(std::string(error.what()) + what_to_try);
+    throw SolveError(error.what() + (attempt.why.rfind("Newton", 0) == 0 ? what_to_try : ""));
   }
   attempt.local_error = system_->integrator->local_error(system_->problem->state());
   const StepOutcome outcome{attempt.local_error, attempt.newton.iterations};

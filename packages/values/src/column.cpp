@@ -170,12 +170,12 @@ class Reader {
     for (const TableColumn& column : columns_)
       if (column.quantity.chart && chart == nullptr) chart = &column;
     if (chart != nullptr && !deck_.origin && !(deck_.relative && wanted_.is_place))
-      fault(
-          chart->cell,
-          "'" + chart->name +
-              "' counts from a chart's origin: <table origin=\"E N\"> must say where "
-              "x = y = 0 is on it" +
-              (wanted_.is_place ? ", or relative=\"true\" count from where the track begins" : ""));
+      fault(chart->cell,
+            "'" + chart->name +
+                "' counts from a chart's origin: <table origin=\"E N\"> must say where "
+                "x = y = 0 is on it" +
+                (wanted_.is_place ? ", or relative=\"true\" counts from where the track begins"
+                                  : ""));
     if (chart == nullptr && deck_.origin)
       diagnostics_.error(
           deck_.origin->location,

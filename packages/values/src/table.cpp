@@ -99,7 +99,7 @@ bool Table::depends_on_moved_position(int) const {
 Span Table::span() const {
   const std::vector<double>& knots = axes_[t].knots;
   if (knots.empty()) return {};
-  return {knots.front() - slack(knots), knots.back() + slack(knots)};
+  return {knots.front(), knots.back(), slack(knots)};
 }
 
 void Table::smooth(double period) {

@@ -68,7 +68,7 @@ TEST(Table, DependsOnDepthWhereItHasAColumnOfIt) {
   EXPECT_THAT(values(*table, at(0, 0, 0, -25)), ElementsAre(287.5));
   double slope[3];
   table->gradient(at(0, 0, 0, -25), 0, slope);
-  EXPECT_THAT(slope, ElementsAre(0, 0, 0.1));
+  EXPECT_THAT(slope, ElementsAre(0, 0, DoubleNear(0.1, 1e-15)));
   EXPECT_TRUE(table->span().covers(-1e9, 1e9));
 }
 

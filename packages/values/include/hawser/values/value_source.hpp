@@ -11,7 +11,10 @@ namespace hawser {
 struct Span {
   double from = -std::numeric_limits<double>::infinity();
   double until = std::numeric_limits<double>::infinity();
-  bool covers(double first, double last) const { return from <= first && last <= until; }
+  double slack = 0;  ///< what lies outside by the rounding of sums of steps counts as inside
+  bool covers(double first, double last) const {
+    return from - slack <= first && last <= until + slack;
+  }
 };
 
 class ValueSource {
