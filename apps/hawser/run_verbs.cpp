@@ -60,7 +60,8 @@ void add_changes(CLI::App& verb, std::vector<DeckChange>& changes) {
               throw CLI::ValidationError(error.what());
             }
           },
-          "replace a value of the deck: time/step=5, or a parameter: tow_speed=0.3; repeatable")
+          "replace a value of the deck: time/step=5, or a parameter: tow_speed=0.3; take one away: "
+          "tow/angle=, expect[end_error_m]=; repeatable")
       ->allow_extra_args(false);
 }
 
@@ -145,14 +146,18 @@ Verb restart_verb(CLI::App& app) {
 }
 
 Verb check_verb(CLI::App& app) {
-  auto* verb = app.add_subcommand("check", "read a deck and report every fault in it");
+  auto* verb = app.add_subcommand(
+      "check", "read a deck, or a study with all its cases, and report every fault");
   verb->footer("Example: hawser check --mesh inputs/deep_tow/case_02_quick.xml");
   const auto arguments = new_arguments(*verb);
-  verb->add_option("deck", arguments->file, "XML deck")->required();
+  verb->add_option("deck", arguments->file, "XML deck or study")->required();
   add_changes(*verb, arguments->of_case.changes);
   verb->add_flag("--mesh", arguments->with_mesh,
                  "make or read the mesh, too, audit it, and check all that a run would");
   return {verb, OnRanks([arguments](Environment& environment) {
+            environment.plugin_folder = arguments->plugin_folder;
+            if (const auto study = check_study(environment, arguments->file))
+              return print(environment, *study);
             const Case run_case = case_of(*arguments, environment);
             if (arguments->with_mesh)
               return print(environment,

@@ -23,19 +23,22 @@ struct StudyArguments {
   std::string plugin_folder;
 };
 
+ResolveDeck resolver(const Environment& environment) {
+  return
+      [&](const std::string& deck, const std::vector<std::pair<std::string, std::string>>& values) {
+        CaseOptions of_case;
+        for (const auto& [path, value] : values)
+          of_case.changes.push_back({path, value});
+        return Case::from_file(environment, deck, of_case).resolved_deck();
+      };
+}
+
 int run(const StudyArguments& arguments, Environment& environment) {
   environment.plugin_folder = arguments.plugin_folder;
   StudyOptions options = arguments.study;
   options.program = this_program().string();
   options.run_arguments = {"--plugin-dir", arguments.plugin_folder};
-  const auto resolve = [&](const std::string& deck,
-                           const std::vector<std::pair<std::string, std::string>>& values) {
-    CaseOptions of_case;
-    for (const auto& [path, value] : values)
-      of_case.changes.push_back({path, value});
-    return Case::from_file(environment, deck, of_case).resolved_deck();
-  };
-  const StudyResult result = run_study(options, resolve);
+  const StudyResult result = run_study(options, resolver(environment));
   if (!options.quiet)
     std::printf(
         "%d cases finished, %d of them before; %d failed; %d not run\nreport: %s report %s\n",
@@ -81,6 +84,14 @@ Verb report_verb(CLI::App& app) {
 }
 
 }  // namespace
+
+std::optional<std::string> check_study(const Environment& environment, const std::string& file) {
+  Diagnostics none;
+  if (read_deck(environment.communicator(), file, none).root.tag != "study") return std::nullopt;
+  const CheckedStudy found = read_study(environment.communicator(), file, resolver(environment));
+  return file + ": no faults in the study and its " + std::to_string(found.cases.size()) +
+         " cases (names of regions and fields are checked when they run)\n";
+}
 
 std::vector<Verb> study_verbs(CLI::App& app) { return {study_verb(app), report_verb(app)}; }
 

@@ -13,7 +13,7 @@ class Expectations(unittest.TestCase):
         deck, folder = edited(name, time_end="20", inside=expectations), fresh(name)
         done = hawser(ranks, "run", deck, "-q", "-o", folder)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        return done.stdout.splitlines(), Results(folder).summary()
+        return (done.stdout + done.stderr).splitlines(), Results(folder).summary()
 
     def test_that_holds(self):
         for ranks in 1, 2:
@@ -37,6 +37,25 @@ class Expectations(unittest.TestCase):
             self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
             self.assertRegex(done.stderr, r"never.xml:\d+:\d+: nothing here reports a quantity 'lift_n'; there are step, ")
             self.assertFalse((folder / "summary.json").exists())
+
+    def test_a_shortened_run_is_not_judged(self):
+        deck, folder = edited("shortened", time_end="40", inside=FAILS), fresh("shortened")
+        done = hawser(1, "run", deck, "-o", folder, "--end", "20")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("the deck's expectations are for its own end, t = 40 s; this run ends before and is not judged", done.stdout)
+        self.assertNotIn("expectations_failed", Results(folder).summary())
+        self.assertEqual(hawser(1, "run", deck, "-q", "-f", "-o", folder, "--end", "40").returncode, 8)
+
+    def test_one_can_be_dropped_from_the_command_line(self):
+        deck, folder = edited("dropped", time_end="20", inside=FAILS), fresh("dropped")
+        done = hawser(1, "run", deck, "-q", "-o", folder, "--set", "expect[end_time_s]=")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_what_fails_is_told_where_errors_are(self):
+        deck = edited("stream", time_end="20", inside=FAILS)
+        done = hawser(1, "run", deck, "-q", "-o", fresh("stream"))
+        self.assertEqual(done.stdout, "")
+        self.assertIn("got 20: FAILS", done.stderr)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ import re
 import signal
 import time
 
-from harness import ROOT, SCRATCH, SystemTest, fresh, hawser, main, started
+from harness import ROOT, SCRATCH, SystemTest, completed, fresh, hawser, main, started
 
 TOW = """<hawser extends="{base}" title="A tow for tests">
   <parameter name="hold" value="40"/>
@@ -138,6 +138,13 @@ class Study(SystemTest):
             done = self.assertFails(3, sentence, 1, "study", path, "-o", folder)
             self.assertEqual(done.stdout, "")
             self.assertFalse(folder.exists())
+            self.assertFails(3, sentence, 2, "check", path)
+
+    def test_check_reads_studies(self):
+        path = study("checked")
+        for ranks in 1, 2:
+            self.assertEqual(completed(ranks, "check", path).stdout,
+                             f"{path}: no faults in the study and its 6 cases (names of regions and fields are checked when they run)\n")
 
 
 if __name__ == "__main__":

@@ -82,14 +82,14 @@ class Survey(SystemTest):
     def test_a_table_of_the_constant_current_is_the_number(self):
         rows = [f"{t},{x},0,-0.5\n" for t in (0, 400) for x in (-1e4, 1e4)]
         path = deck("table", replace=[('value="0 -0.5"', 'table="current.csv"')])
-        (path.parent / "current.csv").write_text("t_s,x_m,velocity_x,velocity_y\n" + "".join(rows))
+        (path.parent / "current.csv").write_text("t_s,x_m,velocity_x_m_per_s,velocity_y_m_per_s\n" + "".join(rows))
         for ranks in 1, 2:
             self.assertSameTow(run(f"table.np{ranks}", path, ranks), 1e-5)
 
     def test_a_current_that_varies_reaches_the_water(self):
         path = deck("tide", replace=[('<prescribe field="velocity" on="inflow" value="0 -0.5"/>',
                                       '<prescribe field="velocity" on="inflow" table="tide.csv"/>')])
-        (path.parent / "tide.csv").write_text("t_s,u,v\n0,0,-0.5\n200,0.1,-0.6\n400,0.2,-0.7\n")
+        (path.parent / "tide.csv").write_text("t_s,u_m_per_s,v_m_per_s\n0,0,-0.5\n200,0.1,-0.6\n400,0.2,-0.7\n")
         fields = run("tide", path).fields(20)
         top = np.isclose(fields["points"][:, 1], 900)
         np.testing.assert_allclose(fields["velocity"][top, 1], -0.7, atol=1e-12)
@@ -111,11 +111,11 @@ class Survey(SystemTest):
         path = deck("short", replace=[('<prescribe field="velocity" on="inflow" value="0 -0.5"/>',
                                        '<prescribe field="velocity" on="inflow" table="short.csv"/>')])
         table = path.parent / "short.csv"
-        table.write_text("t_s,u,v\n0,0,-0.5\n100,0,-0.5\n")
-        self.assertFails(3, r".*short\.csv: no value at t = 120 s; the table reaches from 0 to 100", 2, "run", path, "-q",
-                         "-o", fresh("short"))
-        table.write_text("t_s,v\n0,-0.5\n400,-0.5\n")
-        self.assertFails(3, r".*short\.xml:\d+:\d+: 2 values needed for the components x, y of field 'velocity', 1 given",
+        table.write_text("t_s,u_m_per_s,v_m_per_s\n0,0,-0.5\n100,0,-0.5\n")
+        self.assertFails(3, r".*short\.xml:\d+:\d+: the table reaches from t = 0 s to t = 100 s, and the run needs it from "
+                            r"t = 0 s to t = 400 s; .*", 2, "run", path, "-q", "-o", fresh("short"))
+        table.write_text("t_s,v_m_per_s\n0,-0.5\n400,-0.5\n")
+        self.assertFails(3, r".*short\.csv:1:5: a column is missing: velocity_x_m_per_s",
                          2, "run", path, "-q", "-o", fresh("short"))
         table.unlink()
         self.assertFails(3, r".*short\.xml:\d+:\d+: cannot read the table .*short\.csv", 2, "run", path, "-q",

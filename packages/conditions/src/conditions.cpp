@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/error.hpp"
 #include "hawser/fields/look_up.hpp"
 #include "hawser/physics/field_use.hpp"
 #include "hawser/values/expression_source.hpp"
@@ -30,10 +31,20 @@ void check_units(const Located<Expressions>& values, const FieldDescription& fie
                                              ", such as '0.5 " + field.unit + "'");
 }
 
+WantedValues wanted_values(const FieldDescription& field, std::size_t first, std::size_t count) {
+  WantedValues wanted{field.name, field.unit, {},
+                      first,      count,      field.name == field_name::displacement};
+  for (int c = 0; c < field.components; ++c)
+    wanted.components.push_back(field.components == 1 ? ""
+                                                      : std::string(1, static_cast<char>('x' + c)));
+  return wanted;
+}
+
 }  // namespace
 
 Conditions::Conditions(const Assembler& assembler, const std::vector<RateRule>& rate_rules,
-                       const ConditionsDeck& deck, const Tracks& tracks, Diagnostics& diagnostics)
+                       const ConditionsDeck& deck, const NamedSources& named,
+                       Diagnostics& diagnostics)
     : assembler_(assembler),
       dofs_(assembler.dofs()),
       moved_(dofs_, field_name::displacement),
@@ -42,19 +53,20 @@ Conditions::Conditions(const Assembler& assembler, const std::vector<RateRule>& 
   for (const auto& pair : assembler.kinematic_pairs())
     velocity_of_[static_cast<std::size_t>(pair.displacement)] = pair.velocity;
   for (const ConditionDeck& condition : deck.initial)
-    initial_.push_back(resolve(condition, tracks, diagnostics));
+    initial_.push_back(resolve(condition, named, diagnostics));
   for (const ConditionDeck& condition : deck.prescribe) {
-    prescribed_.push_back(resolve(condition, tracks, diagnostics));
+    prescribed_.push_back(resolve(condition, named, diagnostics));
     follow_the_mesh_ = follow_the_mesh_ || prescribed_.back().source->depends_on_moved_position();
   }
 }
 
-Conditions::Entry Conditions::resolve(const ConditionDeck& deck, const Tracks& tracks,
+Conditions::Entry Conditions::resolve(const ConditionDeck& deck, const NamedSources& named,
                                       Diagnostics& diagnostics) const {
   Entry entry;
-  entry.source = deck.make_source({dofs_.mesh().communicator, tracks, diagnostics});
-  if (!entry.source) entry.source = std::make_shared<ExpressionSource>(Expressions(2));
-  const Location place = deck.source_location();
+  entry.source = std::make_shared<ExpressionSource>(Expressions(2));
+  entry.place = deck.source_location();
+  entry.is_table = deck.TableSource::given.has_value();
+  const Location& place = entry.place;
   const auto& formulas = deck.FormulaSource::given;
   entry.from = deck.from.value_or(entry.from);
   entry.until = deck.until.value_or(entry.until);
@@ -70,14 +82,33 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, const Tracks& t
     return entry;
   }
   entry.has_rate = rate_rules_[static_cast<std::size_t>(field)] != RateRule::none;
+  for (const std::string& name : deck.on.value) {
+    const Region* const region = find_region(dofs_.mesh(), name, deck.on.location, diagnostics);
+    if (region == nullptr) continue;
+    const auto rows = dofs_.region_rows(field, *region);
+    if (!dofs_.mesh().communicator.any(!rows.empty()))
+      diagnostics.error(deck.on.location,
+                        "no module solves for '" + deck.field.value + "' on region '" + name +
+                            "', nor beside it: what is said here would hold nowhere");
+    entry.first_rows.insert(entry.first_rows.end(), rows.begin(), rows.end());
+  }
   const int components = dofs_.fields()[static_cast<std::size_t>(field)].components;
   const bool all = deck.component.value == "all";
   entry.first_component = all ? 0 : deck.component.value[0] - 'x';
-  if (!all && entry.first_component >= components)
+  if (!all && entry.first_component >= components) {
     diagnostics.error(deck.component.location, "field '" + deck.field.value +
                                                    "' has no component " + deck.component.value +
                                                    " here; it has " + component_names(components));
+    return entry;
+  }
   const std::size_t wanted = all ? static_cast<std::size_t>(components) : 1;
+  const auto source =
+      deck.make_source({dofs_.mesh().communicator, named,
+                        wanted_values(dofs_.fields()[static_cast<std::size_t>(field)],
+                                      static_cast<std::size_t>(entry.first_component), wanted),
+                        diagnostics});
+  if (!source) return entry;
+  entry.source = source;
   const auto given = static_cast<std::size_t>(entry.source->components());
   if (given != wanted)
     diagnostics.error(place, std::to_string(wanted) + (wanted == 1 ? " value" : " values") +
@@ -93,16 +124,6 @@ Conditions::Entry Conditions::resolve(const ConditionDeck& deck, const Tracks& t
                       "a displacement cannot depend on x, y or z, the moved position that follows "
                       "from it" +
                           std::string(formulas ? "; use the reference coordinates X, Y, Z" : ""));
-  for (const std::string& name : deck.on.value) {
-    const Region* const region = find_region(dofs_.mesh(), name, deck.on.location, diagnostics);
-    if (region == nullptr) continue;
-    const auto rows = dofs_.region_rows(field, *region);
-    if (!dofs_.mesh().communicator.any(!rows.empty()))
-      diagnostics.error(deck.on.location,
-                        "no module solves for '" + deck.field.value + "' on region '" + name +
-                            "', nor beside it: what is said here would hold nowhere");
-    entry.first_rows.insert(entry.first_rows.end(), rows.begin(), rows.end());
-  }
   return entry;
 }
 
@@ -113,12 +134,21 @@ SpaceTime Conditions::point(LocalIndex row, const State& state) const {
   return {x[0], x[1], x[2], X[0], X[1], X[2], state.time};
 }
 
+void Conditions::at_its_place(const Entry& entry, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const DeckError& error) {
+    throw DeckError(entry.place.text() + ": " + error.what());
+  }
+}
+
 void Conditions::set_initial(State& state) const {
   // Displacements first: the moved position of the other fields' values follows from them.
   for (const bool moving : {true, false})
     for (const Entry& entry : initial_) {
       if (entry.is_displacement != moving) continue;
-      dofs_.mesh().communicator.together([&] { set_initial(entry, state); });
+      dofs_.mesh().communicator.together(
+          [&] { at_its_place(entry, [&] { set_initial(entry, state); }); });
       // A region's vertex may be a ghost here although none of the region's cells are here.
       assembler_.spread(state.value);
       assembler_.spread(state.rate);
@@ -151,7 +181,7 @@ std::vector<PrescribedRow> Conditions::prescribed(const State& state, const Stat
   std::vector<PrescribedRow> result;
   dofs_.mesh().communicator.together([&] {
     for (const Entry& entry : prescribed_)
-      prescribe(entry, state, end, result);
+      at_its_place(entry, [&] { prescribe(entry, state, end, result); });
   });
   return result;
 }

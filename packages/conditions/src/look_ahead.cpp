@@ -126,7 +126,8 @@ void Conditions::find_jumps(const State& start, const RunSpan& span,
   for (const Entry& entry : prescribed_) {
     double farthest = 0;
     std::array<double, 3> place{};
-    if (entry.is_displacement && entry.from <= span.begin && entry.until > span.begin) {
+    if (entry.is_displacement && !entry.is_table && entry.from <= span.begin &&
+        entry.until > span.begin) {
       const auto components = static_cast<std::size_t>(entry.source->components());
       std::vector<double> values(components);
       for (const LocalIndex first : entry.first_rows) {

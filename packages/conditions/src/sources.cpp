@@ -38,19 +38,34 @@ std::shared_ptr<const ValueSource> FormulaSource::make(const SourceContext&) con
 Spec<ConditionDeck> TableSource::declare(Spec<ConditionDeck> spec) {
   return std::move(spec).attribute(
       attribute, &TableSource::given, absent("no table"),
-      "CSV file of columns t, x, y and a column per component; linear between its rows. A "
+      "Name of a <table>, or a CSV file whose columns are named by quantity and unit: time_s, x_m, "
+      "y_m, z_m and velocity_x_m_per_s or whatever the field is. Linear between its rows. A "
       "relative path starts at the deck's folder.");
 }
 
 void TableSource::complete(const Deck& text) {
-  if (given) given->value = path_beside(text, *given);
+  if (given) file = path_beside(text, *given);
 }
 
 std::shared_ptr<const ValueSource> TableSource::make(const SourceContext& context) const {
+  TableDeck plain;
+  plain.name = *given;
+  plain.file = {file.empty() ? given->value : file, given->location};
+  const TableDeck* const named = find_table(context.named.tables, given->value);
+  const TableDeck& deck = named == nullptr ? plain : *named;
   try {
-    return std::make_shared<Table>(read_on_root(context.communicator, given->value), given->value);
+    return Table::read(read_on_root(context.communicator, deck.file.value), deck, context.wanted,
+                       context.diagnostics);
   } catch (const DeckError& error) {
-    context.diagnostics.error(given->location, error.what());
+    std::vector<std::string> names;
+    for (const TableDeck& table : context.named.tables)
+      names.push_back(table.name.value);
+    context.diagnostics.error(
+        deck.file.location,
+        error.what() + (named != nullptr || names.empty()
+                            ? ""
+                            : ", and there is no <table> of that name; there are " + listed(names) +
+                                  did_you_mean(given->value, names)));
   }
   return nullptr;
 }
@@ -61,7 +76,7 @@ Spec<ConditionDeck> TrackSource::declare(Spec<ConditionDeck> spec) {
 }
 
 std::shared_ptr<const ValueSource> TrackSource::make(const SourceContext& context) const {
-  return find_track(context.tracks, *given, context.diagnostics);
+  return find_track(context.named.tracks, *given, context.diagnostics);
 }
 
 }  // namespace hawser

@@ -21,10 +21,10 @@ inline ConditionsDeck conditions_of(const std::string& text, Diagnostics& diagno
 /// Water of 4 by 2 squares and, through its middle, a cable from (0, 1) to (4, 1).
 class SampleConditions {
  public:
-  explicit SampleConditions(const std::string& text) {
+  explicit SampleConditions(const std::string& text, const NamedSources& named = {}) {
     const ConditionsDeck deck = conditions_of(text, diagnostics);
     conditions =
-        std::make_unique<Conditions>(assembler, table.rate_rules, deck, tracks, diagnostics);
+        std::make_unique<Conditions>(assembler, table.rate_rules, deck, named, diagnostics);
     const auto rows = static_cast<std::size_t>(dofs.rows());
     for (std::vector<double>* values :
          {&state.value, &state.rate, &state.accepted, &state.rate_slope, &state.rate_partner})
@@ -67,7 +67,6 @@ class SampleConditions {
   DofMap dofs{mesh, table.fields};
   Assembler assembler{dofs, modules};
   Diagnostics diagnostics;
-  Tracks tracks;
   std::unique_ptr<Conditions> conditions;
   State state;
 

@@ -3,9 +3,9 @@
 #include <charconv>
 
 #include "hawser/base/error.hpp"
+#include "hawser/deck/number.hpp"
 #include "hawser/deck/spec_reader.hpp"
 #include "src/deck_edit.hpp"
-#include "src/number.hpp"
 #include "src/shortened.hpp"
 
 namespace hawser {
@@ -14,6 +14,18 @@ namespace {
 struct Step {
   std::string tag, key;  // tag[key]
 };
+
+/// A part of a path: "b" or "b[k]".
+std::string read_step(const std::string& part, Step& step) {
+  const std::size_t bracket = part.find('[');
+  if (bracket == std::string::npos && part.find(']') == std::string::npos)
+    step = {part, ""};
+  else if (bracket == std::string::npos || part.back() != ']')
+    return "the path must be like time/step or conditions/prescribe[inflow]/value";
+  else
+    step = {part.substr(0, bracket), part.substr(bracket + 1, part.size() - bracket - 2)};
+  return step.tag.empty() ? "the path must be like time/step; it has no '/' at its beginning" : "";
+}
 
 /// "a/b[k]/c": the steps a and b[k] to the element, and its attribute c.
 std::string read_path(const std::string& path, std::vector<Step>& steps, std::string& attribute) {
@@ -31,17 +43,14 @@ std::string read_path(const std::string& path, std::vector<Step>& steps, std::st
   attribute = parts.back();
   parts.pop_back();
   for (const std::string& part : parts) {
-    const std::size_t bracket = part.find('[');
-    if (bracket == std::string::npos && part.find(']') == std::string::npos)
-      steps.push_back({part, ""});
-    else if (bracket == std::string::npos || part.back() != ']')
-      return "the path must be like time/step or conditions/prescribe[inflow]/value";
-    else
-      steps.push_back(
-          {part.substr(0, bracket), part.substr(bracket + 1, part.size() - bracket - 2)});
+    const std::string fault = read_step(part, steps.emplace_back());
+    if (!fault.empty()) return fault;
   }
-  for (const Step& step : steps)
-    if (step.tag.empty()) return "the path must be like time/step; it has no '/' at its beginning";
+  return "";
+}
+
+/// "" for the name of an attribute.
+std::string attribute_fault(const std::string& attribute) {
   if (attribute.empty() || attribute.find('[') != std::string::npos)
     return "the path must end with the name of an attribute, such as time/step";
   return "";
@@ -58,11 +67,13 @@ class Setter {
   void set(DeckNode& root) {
     std::vector<Step> steps;
     std::string attribute;
-    const std::string fault = read_path(change_.path, steps, attribute);
+    std::string fault = read_path(change_.path, steps, attribute);
+    const bool removes = change_.value.empty();
+    if (fault.empty() && !removes) fault = attribute_fault(attribute);
     if (!fault.empty()) return error(fault);
     const NodeSpec* spec = &language_.root;
     DeckNode* node = &root;
-    if (steps.empty() && !is_attribute_of_root(root, attribute)) {
+    if (!removes && steps.empty() && !is_attribute_of_root(root, attribute)) {
       if (!has_parameter(root, attribute)) return report_unknown_name(root, attribute);
       steps.push_back({"parameter", attribute});
       attribute = "value";
@@ -73,7 +84,10 @@ class Setter {
       if (node == nullptr) return;
       spec = child_spec;
     }
-    set(*node, attribute, spec);
+    if (removes)
+      remove(*node, attribute, spec);
+    else
+      set(*node, attribute, spec);
   }
 
  private:
@@ -160,6 +174,33 @@ class Setter {
         return;
       }
     node.attributes.push_back({name, change_.value, where_});
+  }
+
+  /// The attribute of that name, or the element "tag" or "tag[key]".
+  void remove(DeckNode& node, const std::string& what, const NodeSpec* spec) {
+    const auto attribute =
+        std::find_if(node.attributes.begin(), node.attributes.end(),
+                     [&](const DeckAttribute& given) { return given.name == what; });
+    if (attribute != node.attributes.end()) {
+      node.attributes.erase(attribute);
+      return;
+    }
+    Step step;
+    const std::string fault = read_step(what, step);
+    if (!fault.empty()) return error(fault);
+    if (!children_of(node, step.tag).empty()) {
+      DeckNode* const child = go_to(node, step, spec, language_.find_child(spec, step.tag));
+      if (child != nullptr)
+        node.children.erase(node.children.begin() + (child - node.children.data()));
+      return;
+    }
+    std::vector<std::string> names;
+    for (const DeckAttribute& given : node.attributes)
+      names.push_back(given.name);
+    for (const DeckNode& child : node.children)
+      names.push_back(child.tag);
+    error("<" + node.tag + "> has no " + quoted(what) + " that could be taken away; it has " +
+          listed(names) + did_you_mean(what, names));
   }
 
   Location where_;

@@ -5,8 +5,8 @@
 
 #include "hawser/base/constants.hpp"
 #include "hawser/deck/diagnostics.hpp"
+#include "hawser/deck/number.hpp"
 #include "hawser/deck/spec_reader.hpp"
-#include "src/number.hpp"
 
 namespace hawser {
 namespace {

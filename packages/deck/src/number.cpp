@@ -1,4 +1,4 @@
-#include "src/number.hpp"
+#include "hawser/deck/number.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <cctype>
 
 #include "hawser/deck/diagnostics.hpp"
+#include "hawser/deck/number.hpp"
 #include "hawser/deck/spec_reader.hpp"
-#include "src/number.hpp"
 
 namespace hawser {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "hawser/deck/diagnostics.hpp"
+#include "hawser/deck/number.hpp"
 #include "hawser/deck/spec_reader.hpp"
-#include "src/number.hpp"
 #include "src/quantity.hpp"
 
 namespace hawser {
@@ -64,6 +64,20 @@ std::string expression_fault(const Reading& reading, const std::string& text, Ex
   return fault.empty() && value.is_constant() ? range_fault(reading, value({})) : fault;
 }
 
+/// "L 0" is no formula, but would be two values with a ';' between them. `fault` goes on to say so.
+std::string with_separator(const Reading& reading, std::size_t parts, const std::string& fault) {
+  const std::vector<std::string> words = split_at_blanks(reading.text);
+  if (fault.empty() || parts > 1 || words.size() < 2) return fault;
+  std::string apart;
+  for (const std::string& word : words) {
+    Expression value;
+    if (!read_expression(reading, word, value).empty()) return fault;
+    apart += (apart.empty() ? "" : "; ") + word;
+  }
+  return fault +
+         "; values of a list that are names or formulas are set apart by ';': " + quoted(apart);
+}
+
 template <class List>
 std::string joined(const List& list, const std::string& separator) {
   std::string result;
@@ -116,7 +130,8 @@ std::string read_value(const Reading& reading, std::vector<double>& value) {
   value.assign(parts.size(), 0);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string fault = number_fault(reading, parts[i], value[i]);
-    if (!fault.empty()) return of_part(parts[i], parts.size(), fault);
+    if (!fault.empty())
+      return with_separator(reading, parts.size(), of_part(parts[i], parts.size(), fault));
   }
   return list_fault(reading, parts);
 }
@@ -142,7 +157,8 @@ std::string read_value(const Reading& reading, Expressions& value) {
   value.assign(parts.size(), {});
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string fault = expression_fault(reading, parts[i], value[i]);
-    if (!fault.empty()) return of_part(parts[i], parts.size(), fault);
+    if (!fault.empty())
+      return with_separator(reading, parts.size(), of_part(parts[i], parts.size(), fault));
   }
   return list_fault(reading, parts);
 }

@@ -111,6 +111,39 @@ TEST_F(DeckReading, PathsThatLeadSomewhere) {
   EXPECT_EQ(diagnostics_.error_text(), "");
 }
 
+// A change without a value takes away what is at its path.
+TEST_F(DeckReading, ChangesThatTakeAway) {
+  write("case.xml", base_deck);
+  EXPECT_EQ(run({"time/step="}).time.step, 1) << "the default";
+  EXPECT_EQ(run({"title="}).title, "");
+  EXPECT_EQ(run({"prescribe[inflow]/name="}).prescribed[0].name, "");
+  EXPECT_EQ(run({"expect[error]="}).expectations.size(), 1U);
+  EXPECT_EQ(run({"expect[1]="}).expectations[0].quantity, "error");
+  EXPECT_EQ(run({"expect[force]=", "expect="}).expectations.size(), 0U);
+  EXPECT_EQ(run({"prescribe[2]="}).prescribed.size(), 1U);
+  EXPECT_EQ(run({"time="}).time.end, 10);
+  EXPECT_FALSE(run({"file="}).file);
+  EXPECT_TRUE(run({"modules/cable="}).modules.modules.empty());
+  EXPECT_EQ(diagnostics_.error_text(), "");
+  const auto said = [&](const std::string& change) {
+    const std::string text = faults({change}), start = "--set " + change + ": ";
+    EXPECT_EQ(text.substr(0, start.size()), start);
+    return text.substr(start.size());
+  };
+  EXPECT_EQ(
+      said("time/stpe="),
+      "<time> has no 'stpe' that could be taken away; it has step, end; did you mean 'step'?");
+  EXPECT_EQ(said("expect[eror]="),
+            "there is no <expect> 'eror'; there are 'force', 'error'; did you mean 'error'?");
+  EXPECT_EQ(
+      said("expect="),
+      "there are 2 <expect>; say which by name or number, such as expect[1]: 'force', 'error'");
+  EXPECT_EQ(said("time[="), "a ']' is missing in the path");
+  // What is required is missed as ever.
+  EXPECT_NE(faults({"prescribe[inflow]/on="}).find("<prescribe> needs the attribute 'on'"),
+            std::string::npos);
+}
+
 TEST_F(DeckReading, FaultyExtensions) {
   write("case.xml", "<hawser\n extends='none.xml'/>");
   EXPECT_EQ(faults(), "thrown case.xml:2:2: the deck to extend cannot be read: none.xml");

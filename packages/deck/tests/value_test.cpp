@@ -105,6 +105,35 @@ TEST(Value, Ranges) {
             "> 0, < 2, 1 to 3 values");
 }
 
+// A blank between values that are no numbers is no separator, and the message says what is.
+TEST(Value, FormulasInListsAreSetApartBySemicolons) {
+  const NamedValues names{{"L", 420, 420, std::nullopt, {}}, {"H", 10, 10, std::nullopt, {}}};
+  const auto said = [&](const std::string& text) {
+    const Rules rules = any();
+    std::vector<double> value;
+    Expressions formulas;
+    const std::string list = read_value({text, {}, "m", rules, &names}, value);
+    EXPECT_FALSE(read_value({text, {}, "m", rules, &names}, formulas).empty()) << text;
+    return list;
+  };
+  for (const auto& [text, apart] : {std::pair("L 0", "L; 0"),
+                                    {"0 L", "0; L"},
+                                    {"L H", "L; H"},
+                                    {"-L 0", "-L; 0"},
+                                    {"2*L 0", "2*L; 0"},
+                                    {"L/2 H/2", "L/2; H/2"},
+                                    {"L  0  H", "L; 0; H"},
+                                    {"sqrt(L) 1", "sqrt(L); 1"},
+                                    {"L 1e-3", "L; 1e-3"},
+                                    {"H 0 0", "H; 0; 0"}}) {
+    EXPECT_THAT(said(text), testing::EndsWith(std::string("; values of a list that are names or "
+                                                          "formulas are set apart by ';': '") +
+                                              apart + "'"))
+        << text;
+  }
+  EXPECT_THAT(said("L none"), testing::Not(testing::HasSubstr("set apart")));
+}
+
 TEST(Value, Lists) {
   EXPECT_THAT(read<std::vector<double>>("0  -0.5\n3"), testing::ElementsAre(0, -0.5, 3));
   EXPECT_EQ(fault<std::vector<double>>("0 1x"), "in '1x', 'x' after the number is not understood");

@@ -59,7 +59,8 @@ void ConsoleLog::stepped(const Step& step, const MeshFigures& mesh, double end) 
   if (!tells()) return;
   const double wall =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const double left = wall * (end - time) / (time - first_time_);
+  // The last step ends at `end` to round-off; there is no -0 s.
+  const double left = std::max(0.0, wall * (end - time) / (time - first_time_));
   terminal_.line(fmt::format(
       "step {:4d}  t {:7g} s  dt {:g} s  Newton {} linear {:3d}  decides {}  quality {:.2f}  "
       "Courant {:.2f}{}  wall {:.1f} s  left {:.0f} s",

@@ -45,11 +45,13 @@ void Terminal::wipe() {
 
 void Terminal::line(const std::string& text, Colour colour) {
   wipe();
-  if (coloured_ && colour != Colour::plain)
-    std::fprintf(stdout, "%s%s\033[0m\n", code(colour), text.c_str());
-  else
-    std::fprintf(stdout, "%s\n", text.c_str());
   std::fflush(stdout);
+  std::FILE* const stream = colour == Colour::bad ? stderr : stdout;
+  if (coloured_ && colour != Colour::plain)
+    std::fprintf(stream, "%s%s\033[0m\n", code(colour), text.c_str());
+  else
+    std::fprintf(stream, "%s\n", text.c_str());
+  std::fflush(stream);
 }
 
 void Terminal::bar(double done, const std::string& text) {

@@ -1,5 +1,6 @@
 #pragma once
-// Standard output: lines, and on a terminal colours and a bar that stays the last line.
+// Standard output, and standard error for what is bad: lines, and on a terminal colours and a bar
+// that stays the last line.
 #include <string>
 
 namespace hawser {

@@ -25,8 +25,8 @@ NonlinearReport solved() {
   return report;
 }
 
-/// A whole run as the log tells it on standard output.
-std::string told(LogDetail detail, bool json) {
+/// A whole run as the log tells it on standard output; its errors go to `errors`.
+std::string told(LogDetail detail, bool json, std::string* errors = nullptr) {
   State state;
   state.time = 20;
   const std::vector<double> reactions;
@@ -36,6 +36,7 @@ std::string told(LogDetail detail, bool json) {
   Summary summary;
   summary.set("end_error_m", 154.5);
   testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
   {
     const auto log = make_run_log(Communicator(MPI_COMM_SELF), detail, json);
     log->note("made 418 nodes");
@@ -46,11 +47,14 @@ std::string told(LogDetail detail, bool json) {
     log->wrote("fields", 3, 20);
     log->finish("end error 154.5 m\n", {met, missed}, summary);
   }
+  const std::string said = testing::internal::GetCapturedStderr();
+  if (errors != nullptr) *errors = said;
   return testing::internal::GetCapturedStdout();
 }
 
 TEST(ConsoleLog, TellsARunInSentences) {
-  const std::string text = told(LogDetail::steps, false);
+  std::string errors;
+  const std::string text = told(LogDetail::steps, false, &errors);
   EXPECT_THAT(text, HasSubstr("made 418 nodes\nA tow\n"
                               "418 nodes, 2099 unknowns, 2 rank(s); modules: ale-fluid, cable\n"));
   EXPECT_THAT(text, HasSubstr("step of 20 s from t = 10 s rejected: no convergence\n"));
@@ -61,17 +65,31 @@ TEST(ConsoleLog, TellsARunInSentences) {
   EXPECT_THAT(text, HasSubstr("end error 154.5 m\n"
                               "tow.xml:7:3: expected end_error_m = 154 +- 1 (as measured); got "
                               "154.5: holds\n"
-                              "tow.xml:8:3: expected no_such = 1 +- 0.5 (a test); got nothing: the "
-                              "run reports no such quantity: FAILS\n"
                               "results: results/tow\n"));
+  EXPECT_EQ(errors,
+            "tow.xml:8:3: expected no_such = 1 +- 0.5 (a test); got nothing: the run reports no "
+            "such quantity: FAILS\n");
 }
 
 TEST(ConsoleLog, QuietTellsWhatWentWrongOnly) {
-  EXPECT_EQ(
-      told(LogDetail::quiet, false),
-      "step of 20 s from t = 10 s rejected: no convergence\n"
-      "tow.xml:8:3: expected no_such = 1 +- 0.5 (a test); got nothing: the run reports no such "
-      "quantity: FAILS\n");
+  std::string errors;
+  EXPECT_EQ(told(LogDetail::quiet, false, &errors),
+            "step of 20 s from t = 10 s rejected: no convergence\n");
+  EXPECT_EQ(errors,
+            "tow.xml:8:3: expected no_such = 1 +- 0.5 (a test); got nothing: the run reports no "
+            "such quantity: FAILS\n");
+}
+
+// The last step may end beyond the end by round-off.
+TEST(ConsoleLog, NothingIsLeftAtTheEnd) {
+  State state;
+  state.time = 100 * (1 + 1e-15);
+  const std::vector<double> reactions;
+  const Step step{3, 10, true, std::nullopt, 2, 17, state, state, reactions};
+  testing::internal::CaptureStdout();
+  make_run_log(Communicator(MPI_COMM_SELF), LogDetail::steps, false)
+      ->stepped(step, {0.73, 0.25}, 100);
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("left 0 s\n"));
 }
 
 TEST(ConsoleLog, VerboseTellsIterationsAndOutputs) {

@@ -12,7 +12,9 @@ Rules flow_directions() { return one_of({"-y", "+y", "-x", "+x"}); }
 
 Spec<TowBox> TowBox::spec() {
   using P = TowBox;
-  return Spec<P>("tow-box", "A box of water with a straight cable in it.")
+  return Spec<P>("tow-box",
+                 "A box of water with a straight cable in it: regions water, cable, tow-point (the "
+                 "cable's start), tail (its end) and the walls inflow, outflow, sides.")
       .attribute("min", &P::min, "m", required() && any() && length(2), "Lower left corner.")
       .attribute("max", &P::max, "m", required() && any() && length(2), "Upper right corner.")
       .attribute("tow-point", &P::tow_point, "m", any() && length(2), "Where the cable starts.")
@@ -31,7 +33,8 @@ Spec<TowBox> TowBox::spec() {
 
 Spec<WaterBox> WaterBox::spec() {
   using P = WaterBox;
-  return Spec<P>("water-box", "A box of water alone.")
+  return Spec<P>("water-box",
+                 "A box of water alone: regions water and the walls inflow, outflow, sides.")
       .attribute("min", &P::min, "m", required() && any() && length(2), "Lower left corner.")
       .attribute("max", &P::max, "m", required() && any() && length(2), "Upper right corner.")
       .attribute("size", &P::size, "m", non_negative(), "Cell size of an unstructured mesh.")

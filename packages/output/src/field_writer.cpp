@@ -10,6 +10,7 @@
 #include "src/files.hpp"
 #include "src/hdf5_file.hpp"
 #include "src/rows.hpp"
+#include "src/vtkhdf.hpp"
 #include "src/xdmf.hpp"
 
 namespace hawser {
@@ -79,7 +80,8 @@ void FieldWriter::tidy_folder(int keep_until) {
     if (step > keep_until) stale.push_back(file.path());
     if (step >= 0 && step <= keep_until && file.path().extension() == ".xdmf") {
       const Hdf5File data = Hdf5File::open(Communicator(MPI_COMM_SELF), path(step, "h5"));
-      outputs_[step] = {data.number("/", "time"), xdmf_grid_of(contents(file.path()))};
+      outputs_[step] = {data.number("/", "time"), file.path().stem().string() + ".h5",
+                        xdmf_grid_of(contents(file.path()))};
     }
   }
   for (const auto& file : stale) {
@@ -124,9 +126,11 @@ void FieldWriter::write(int step, double time, const std::vector<double>& coordi
   communicator_.on_root([&] {
     finish(data);
     const std::string name = std::filesystem::path(data).filename();
-    outputs_[step] = {time, xdmf_grid(grid_, name, fields)};
+    outputs_[step] = {time, name, xdmf_grid(grid_, name, fields)};
     write_atomically(path(step, "xdmf"), xdmf_single(outputs_[step].grid));
-    write_atomically(folder_ + "/" + grid_.name + ".xdmf", xdmf_series(grid_.name, outputs_));
+    const std::string series = folder_ + "/" + grid_.name;
+    write_vtkhdf(series + ".vtkhdf", grid_, fields, outputs_);
+    write_atomically(series + ".xdmf", xdmf_series(grid_.name, outputs_));
   });
 }
 

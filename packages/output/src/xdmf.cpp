@@ -50,7 +50,7 @@ std::string xdmf_grid(const Grid& grid, const std::string& data,
 
 std::string xdmf_single(const std::string& grid) { return head + grid + foot; }
 
-std::string xdmf_series(const std::string& name, const std::map<int, XdmfOutput>& outputs) {
+std::string xdmf_series(const std::string& name, const std::map<int, SavedOutput>& outputs) {
   std::string text = head;
   text +=
       fmt::format("<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", name);

@@ -18,7 +18,7 @@ std::string xdmf_grid(const Grid& grid, const std::string& data,
 
 /// A file of one grid (without its time, of which meshio knows nothing), or of several as a series.
 std::string xdmf_single(const std::string& grid);
-std::string xdmf_series(const std::string& name, const std::map<int, XdmfOutput>& outputs);
+std::string xdmf_series(const std::string& name, const std::map<int, SavedOutput>& outputs);
 
 /// The <Grid> element within what xdmf_single made.
 std::string xdmf_grid_of(const std::string& single);

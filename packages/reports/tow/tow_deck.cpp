@@ -13,8 +13,9 @@ Spec<TowDeck> TowDeck::spec() {
                  "NAME_cable.csv; tells several apart.")
       .attribute("cable", &P::cable, required(), "Line region of the cable.")
       .attribute("tow-point", &P::tow_point, required(), "Point region where it is towed.")
-      .attribute("angle", &P::angle, "deg", between(-180, 180),
-                 "Of the tow axis from upstream (+y) toward +x.")
+      .attribute("angle", &P::angle, "deg", between(-180, 360),
+                 "Of the tow axis from upstream (+y) toward +x: a compass bearing, where +y is "
+                 "north.")
       .attribute("speed", &P::speed, "m/s",
                  non_negative() && absent("no exact values, unless on a track"),
                  "Of the tow, for the exact straight-cable values.")

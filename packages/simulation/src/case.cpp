@@ -53,6 +53,8 @@ void complete(RunDeck& deck, const Deck& text, const CaseOptions& options) {
   if (time.steady()) time.step = std::min(time.step, time.end);
   if (time.least == 0) time.least = time.step / 1000;
   time.order = time.scheme().order();
+  for (TableDeck& table : deck.tables)
+    table.file.value = path_beside(text, table.file);
   for (auto* conditions : {&deck.conditions.initial, &deck.conditions.prescribe})
     for (ConditionDeck& condition : *conditions)
       condition.complete_sources(text);
@@ -68,7 +70,7 @@ struct Case::Content {
   std::vector<PlannedReport> reports{};
   std::unique_ptr<CheckpointReader> checkpoint{};
   std::string home{};
-  std::optional<double> end{};
+  std::optional<double> end{}, end_of_deck{};
 };
 
 Case::Case(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
@@ -79,6 +81,8 @@ std::shared_ptr<Case::Content> Case::read(const Environment& environment, Deck t
       Content{environment.communicator(), environment.registries, std::move(text), RunDeck()});
   content->end = options.end;
   content->deck = RunDeck::spec().read(content->text.root, diagnostics);
+  const double end = content->deck.time.end;
+  if (options.end && *options.end < end) content->end_of_deck = end;
   complete(content->deck, content->text, options);
   load_plugins(environment, content->deck.plugins, content->registries);
   modules_of(content->text, content->deck, content->registries.modules, diagnostics);
@@ -152,6 +156,7 @@ const RunDeck& Case::deck() const { return content_->deck; }
 const CheckpointReader* Case::checkpoint() const { return content_->checkpoint.get(); }
 const std::string& Case::home() const { return content_->home; }
 std::optional<double> Case::end() const { return content_->end; }
+std::optional<double> Case::end_of_deck() const { return content_->end_of_deck; }
 bool Case::has_mesh_file() const { return deck().mesh.file.has_value(); }
 
 std::string Case::resolved_deck() const {

@@ -59,6 +59,9 @@ class Run {
     stepper_ = std::make_unique<Stepper>(case_, mesh.file);
     for (const std::string& sentence : stepper_->notes())
       log_->note(sentence);
+    if (!is_judged() && !case_.deck().expectations.empty())
+      log_->note("the deck's expectations are for its own end, t = " +
+                 write_value(*case_.end_of_deck()) + " s; this run ends before and is not judged");
     folder_.write("resolved.xml", case_.resolved_deck());
     log_->start(heading());
     stepper_->observe(teller_);
@@ -74,7 +77,8 @@ class Run {
     add_timings(summary);
     add_provenance(case_.communicator(), summary);
     summary.object("provenance").set("deck", case_.text().file);
-    const std::vector<Judgement> judgements = judge(case_.deck().expectations, summary);
+    const std::vector<Judgement> judgements =
+        is_judged() ? judge(case_.deck().expectations, summary) : std::vector<Judgement>();
     add_judgements(judgements, summary);
     summary.write(case_.communicator(), folder_.file("summary.json"));
     log_->finish(stepper_->system().reports->closing(), judgements, summary);
@@ -82,6 +86,8 @@ class Run {
   }
 
  private:
+  bool is_judged() const { return !case_.end_of_deck(); }
+
   RunHeading heading() const {
     const System& system = stepper_->system();
     RunHeading heading{case_.deck().title,

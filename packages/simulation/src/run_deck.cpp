@@ -35,6 +35,7 @@ Spec<RunDeck> RunDeck::spec() {
       .child(&P::modules, required())
       .children(&P::fields)
       .children(&P::tracks)
+      .children(&P::tables)
       .child(&P::conditions)
       .child(&P::start)
       .child(&P::time, required())

@@ -16,6 +16,16 @@
 #include "src/system.hpp"
 
 namespace hawser {
+namespace {
+
+/// Where Newton's method fails; not where a formula is no number.
+const std::string what_to_try =
+    "; a steady solve has no shorter step to try. What may lead to its solution: "
+    "<newton pseudo-step=\"1\"/>; loads that grow with t, over several steps (<time step> shorter "
+    "than its end); <start><equilibrium><continuation> from an easier value of a parameter, such "
+    "as a greater viscosity; or time steps (another scheme) until nothing changes";
+
+}  // namespace
 
 Stepper::Stepper(const Case& run_case)
     : case_(run_case), scratch_(std::make_unique<ScratchFolder>(run_case.communicator())) {
@@ -37,7 +47,7 @@ void Stepper::build(const std::string& mesh_file) {
   control_ = std::make_unique<StepControl>(
       time_deck, time_deck.steady() ? std::vector<double>() : system_->conditions->events());
   const CheckpointReader* const checkpoint = case_.checkpoint();
-  if (checkpoint == nullptr) return;
+  if (checkpoint == nullptr) return check_sources();
   const CheckpointHeader& header = checkpoint->header();
   system_->integrator->resume(load_history(*system_->dofs, *checkpoint));
   load_memories(system_->mesh, *checkpoint, system_->assembler->memories());
@@ -48,6 +58,18 @@ void Stepper::build(const std::string& mesh_file) {
   number_ = header.step;
   start_iterations_ = static_cast<long long>(header.numbers.at("start_newton_iterations"));
   started_ = true;
+  check_sources();
+}
+
+void Stepper::check_sources() const {
+  const RunDeck& deck = case_.deck();
+  const TimeDeck& time = deck.time;
+  State start = system_->problem->state();
+  const TimeHistory& history = system_->integrator->history();
+  if (started_) start.time = history.time, start.value = history.value;
+  start.step = time.steady() ? std::numeric_limits<double>::infinity() : time.step;
+  const bool is_solved_for = deck.start.equilibrium && !started_;
+  system_->conditions->check_sources(start, time.step, time.end, time.steady() || is_solved_for);
 }
 
 void Stepper::start() {
@@ -126,7 +148,7 @@ Attempt Stepper::advance(double longest) {
     attempt.why = error.what();
     if (!case_.deck().time.single_solve()) return cut(std::move(attempt));
     told(std::move(attempt));
-    throw;
+    throw SolveError(error.what() + (attempt.why.rfind("Newton", 0) == 0 ? what_to_try : ""));
   }
   attempt.local_error = system_->integrator->local_error(system_->problem->state());
   const StepOutcome outcome{attempt.local_error, attempt.newton.iterations};

@@ -81,12 +81,13 @@ std::unique_ptr<System> build_system(const Case& run_case, const std::string& me
   system->table = gather_fields(system->modules, deck.fields);
   system->dofs = std::make_unique<DofMap>(system->mesh, system->table.fields);
   system->assembler = std::make_unique<Assembler>(*system->dofs, system->modules);
-  const Tracks tracks = make_tracks(deck.tracks, diagnostics);
+  const NamedSources named{make_tracks(deck.tracks, diagnostics), deck.tables};
+  check_names(deck.tables, diagnostics);
   system->conditions = std::make_unique<Conditions>(*system->assembler, system->table.rate_rules,
-                                                    deck.conditions, tracks, diagnostics);
+                                                    deck.conditions, named, diagnostics);
   system->reports = std::make_unique<Reports>(
       run_case.reports(),
-      ReportContext{*system->assembler, system->modules, system->table.rate_rules, tracks},
+      ReportContext{*system->assembler, system->modules, system->table.rate_rules, named.tracks},
       diagnostics);
   if (diagnostics.ok())
     check_expectations(deck.expectations, quantities_of(deck, *system->reports), diagnostics);

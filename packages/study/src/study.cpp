@@ -183,15 +183,21 @@ class StudyRun {
 
 }  // namespace
 
-StudyResult run_study(const StudyOptions& options, const ResolveDeck& resolve) {
+CheckedStudy read_study(const Communicator& communicator, const std::string& file,
+                        const ResolveDeck& resolve) {
   Diagnostics diagnostics;
+  const Deck deck = read_deck(communicator, file, diagnostics);
+  CheckedStudy result{StudyDeck::spec().read(deck.root, diagnostics), {}};
+  diagnostics.throw_if_any();
+  result.cases = expand(result.study, file, resolve, diagnostics);
+  diagnostics.throw_if_any();
+  return result;
+}
+
+StudyResult run_study(const StudyOptions& options, const ResolveDeck& resolve) {
   // MPI is not started here; see Communicator.
-  const Deck deck = read_deck(Communicator(MPI_COMM_NULL), options.file, diagnostics);
-  StudyDeck study = StudyDeck::spec().read(deck.root, diagnostics);
-  diagnostics.throw_if_any();
-  std::vector<StudyCase> cases = expand(study, options.file, resolve, diagnostics);
-  diagnostics.throw_if_any();
-  return StudyRun(options, std::move(study), std::move(cases)).run();
+  CheckedStudy found = read_study(Communicator(MPI_COMM_NULL), options.file, resolve);
+  return StudyRun(options, std::move(found.study), std::move(found.cases)).run();
 }
 
 }  // namespace hawser

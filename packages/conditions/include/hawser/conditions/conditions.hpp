@@ -1,5 +1,6 @@
 #pragma once
 // Initial and prescribed values, resolved to rows.
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -7,7 +8,6 @@
 
 #include "hawser/assembly/constraints.hpp"
 #include "hawser/conditions/conditions_deck.hpp"
-#include "hawser/values/tracks.hpp"
 
 namespace hawser {
 
@@ -24,7 +24,12 @@ class Conditions {
   /// Faults (unknown field, region, component, a bad table) go to `diagnostics`; the same on all
   /// ranks. Collective.
   Conditions(const Assembler& assembler, const std::vector<RateRule>& rate_rules,
-             const ConditionsDeck& deck, const Tracks& tracks, Diagnostics& diagnostics);
+             const ConditionsDeck& deck, const NamedSources& named, Diagnostics& diagnostics);
+
+  /// What a run from `start` to `end` (s) would find out too late: a table that does not reach as
+  /// far in time, or over the places where its nodes are at the start; a table that would move a
+  /// point in the first step to where it begins, unless `jump_is_meant`. Collective (DeckError).
+  void check_sources(const State& start, double first_step, double end, bool jump_is_meant) const;
 
   /// Values at the start and, where a value depends on time, its rate.
   void set_initial(State& state) const;
@@ -63,17 +68,32 @@ class Conditions {
     Location location;
     std::string field, on;  // for messages
     bool replaces = false;
+    bool is_table = false;
+    Location place;  // of the source in the deck
     double from = -std::numeric_limits<double>::infinity();
     double until = std::numeric_limits<double>::infinity();
   };
   struct Disagreement;
   std::vector<Disagreement> disagreements(const State& start, const RunSpan& span) const;
   void find_jumps(const State& start, const RunSpan& span, Diagnostics& diagnostics) const;
-  Entry resolve(const ConditionDeck& deck, const Tracks& tracks, Diagnostics& diagnostics) const;
+  Entry resolve(const ConditionDeck& deck, const NamedSources& named,
+                Diagnostics& diagnostics) const;
   void set_initial(const Entry& entry, State& state) const;
   void prescribe(const Entry& entry, const State& state, const State& end,
                  std::vector<PrescribedRow>& result) const;
   SpaceTime point(LocalIndex row, const State& state) const;
+  /// A DeckError of the source gets the place where the deck asks for it.
+  static void at_its_place(const Entry& entry, const std::function<void()>& work);
+  /// [first, last] s, in which a run needs the values; none when first > last.
+  static Span needed_times(const Entry& entry, const State& start, double first_step, double end);
+  /// m, of a displacement, on this rank: from where the nodes are to where they are prescribed to
+  /// be at `first`, and on to where they are to be at `next`.
+  struct Moves {
+    double jump = 0, way = 0;
+  };
+  Moves moves(const Entry& entry, const State& start, double first, double next) const;
+  void check_source(const Entry& entry, const State& start, double first_step, double end,
+                    bool jump_is_meant) const;
 
   const Assembler& assembler_;
   const DofMap& dofs_;

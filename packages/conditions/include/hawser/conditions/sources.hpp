@@ -9,15 +9,24 @@
 #include "hawser/base/communicator.hpp"
 #include "hawser/deck/read_deck.hpp"
 #include "hawser/deck/spec.hpp"
+#include "hawser/values/column.hpp"
+#include "hawser/values/table_deck.hpp"
 #include "hawser/values/tracks.hpp"
 
 namespace hawser {
 
 struct ConditionDeck;
 
+/// What conditions ask for by name.
+struct NamedSources {
+  Tracks tracks{};
+  std::vector<TableDeck> tables{};  ///< with files' paths beside the deck
+};
+
 struct SourceContext {
   const Communicator& communicator;
-  const Tracks& tracks;
+  const NamedSources& named;
+  const WantedValues& wanted;
   Diagnostics& diagnostics;
 };
 
@@ -42,6 +51,7 @@ struct TableSource : SourceDeck<TableSource, std::string> {
   static Spec<ConditionDeck> declare(Spec<ConditionDeck> spec);
   void complete(const Deck& text);
   std::shared_ptr<const ValueSource> make(const SourceContext& context) const;
+  std::string file;  ///< where it is, should what is given be no <table>
 };
 
 struct TrackSource : SourceDeck<TrackSource, std::string> {

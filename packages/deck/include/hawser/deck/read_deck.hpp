@@ -19,7 +19,8 @@
 namespace hawser {
 
 /// One value of a deck that is replaced: "time/step", "conditions/prescribe[inflow]/value",
-/// "expect[end_error_m]/within", "probe[2]/on", or the name of a parameter.
+/// "expect[end_error_m]/within", "probe[2]/on", or the name of a parameter. With no value the
+/// attribute is taken away, or the element at "expect[end_error_m]".
 struct DeckChange {
   std::string path, value;
   std::string text() const { return path + "=" + value; }

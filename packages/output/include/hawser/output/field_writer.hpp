@@ -1,10 +1,12 @@
 #pragma once
-// Fields on a moving grid, as HDF5 files that ParaView opens through an XDMF index.
+// Fields on a moving grid, as HDF5 files that ParaView opens through an index.
 //
 // Per output: <name>-000010.h5 (collective, the same content on any number of ranks) and
-// <name>-000010.xdmf; over all of them: <name>.xdmf. In the HDF5 file: attributes `step` and `time`
-// (s), datasets `points` [point][3] (m), `cells` [cell][vertex], `fields/<field>` with an attribute
-// `unit`. Every file is complete or absent: it is written under another name, synced, and renamed.
+// <name>-000010.xdmf, which meshio reads, too; over all of them: <name>.vtkhdf, for ParaView from
+// 5.12 on and pyvista, and <name>.xdmf, for older ones. In the HDF5 file: attributes `step` and
+// `time` (s), datasets `points` [point][3] (m), `cells` [cell][vertex], `fields/<field>` with an
+// attribute `unit`. Every file is complete or absent: it is written under another name, synced, and
+// renamed.
 #include <map>
 #include <memory>
 #include <string>
@@ -17,9 +19,10 @@ namespace hawser {
 
 class Rows;
 
-struct XdmfOutput {
+struct SavedOutput {
   double time;       ///< s
-  std::string grid;  ///< the <Grid> element
+  std::string file;  ///< HDF5, without its folder
+  std::string grid;  ///< the <Grid> element of XDMF
 };
 
 class FieldWriter {
@@ -43,8 +46,8 @@ class FieldWriter {
   Grid grid_;
   std::unique_ptr<Rows> points_;
   std::unique_ptr<Rows> cells_;
-  std::vector<GlobalIndex> joined_;    ///< grid_.cells as positions in `points`
-  std::map<int, XdmfOutput> outputs_;  ///< on rank 0, by step
+  std::vector<GlobalIndex> joined_;     ///< grid_.cells as positions in `points`
+  std::map<int, SavedOutput> outputs_;  ///< on rank 0, by step
 };
 
 }  // namespace hawser

@@ -50,6 +50,8 @@ class Case {
   const std::vector<PlannedReport>& reports() const;
   const CheckpointReader* checkpoint() const;  ///< null when it starts from the deck
   std::optional<double> end() const;           ///< s, when the options have one
+  /// s, of the deck, when the run ends before it, where the deck's expectations do not apply.
+  std::optional<double> end_of_deck() const;
   /// Of the checkpoint; empty when there is none.
   const std::string& home() const;
 

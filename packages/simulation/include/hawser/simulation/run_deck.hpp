@@ -13,6 +13,7 @@
 #include "hawser/simulation/start_deck.hpp"
 #include "hawser/solve/solver_deck.hpp"
 #include "hawser/time/time_deck.hpp"
+#include "hawser/values/table_deck.hpp"
 #include "hawser/values/track.hpp"
 
 namespace hawser {
@@ -41,6 +42,7 @@ struct RunDeck {
   ModulesDeck modules;
   std::vector<FieldDeck> fields;
   std::vector<TrackDeck> tracks;
+  std::vector<TableDeck> tables;
   ConditionsDeck conditions;
   StartDeck start;
   TimeDeck time;

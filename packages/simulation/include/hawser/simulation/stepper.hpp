@@ -108,6 +108,7 @@ class Stepper {
 
  private:
   void build(const std::string& mesh_file);
+  void check_sources() const;
   NonlinearReport solve(double length);
   void accept(const Attempt& attempt);
   void find_equilibrium();

@@ -20,6 +20,14 @@ struct StudyResult {
   int finished = 0, kept = 0, failed = 0, waiting = 0;
 };
 
+struct CheckedStudy {
+  StudyDeck study;
+  std::vector<StudyCase> cases;
+};
+/// The study in `file` and all of its cases, each resolved. Collective; DeckError with every fault.
+CheckedStudy read_study(const Communicator& communicator, const std::string& file,
+                        const ResolveDeck& resolve);
+
 /// A case is not run again when its folder holds the summary.json of the very deck. One that fails
 /// does not stop the others. Throws DeckError with every fault before anything runs, or
 /// OutputError.

@@ -1,9 +1,21 @@
 #pragma once
 // Where a condition's values come from: formulas, a table, or a track. One call per node, never per
 // quadrature point.
+#include <limits>
+
 #include "hawser/deck/expression.hpp"
 
 namespace hawser {
+
+/// Times at which there is a value, s.
+struct Span {
+  double from = -std::numeric_limits<double>::infinity();
+  double until = std::numeric_limits<double>::infinity();
+  double slack = 0;  ///< what lies outside by the rounding of sums of steps counts as inside
+  bool covers(double first, double last) const {
+    return from - slack <= first && last <= until + slack;
+  }
+};
 
 class ValueSource {
  public:
@@ -18,6 +30,10 @@ class ValueSource {
   /// [3], per m, of one component with respect to the moved position.
   virtual void gradient(const SpaceTime& at, int component, double* slope) const = 0;
   virtual bool depends_on_moved_position(int component) const = 0;
+
+  virtual Span span() const { return {}; }
+  /// The values are displacements that bring every point to the same place.
+  virtual bool places_a_point() const { return false; }
 
   bool depends_on_moved_position() const {
     for (int c = 0; c < components(); ++c)
