@@ -12,6 +12,7 @@
 #include "src/cell_failure.hpp"
 #include "src/energy_sums.hpp"
 #include "src/named_blocks.hpp"
+#include "src/row_layout.hpp"
 #include "src/sparsity.hpp"
 #include "src/switches.hpp"
 
@@ -27,7 +28,7 @@ struct Assembler::Implementation {
   EnergySums energy;
 
   Implementation(const DofMap& map, const std::vector<PhysicsModule>& modules)
-      : dofs(&map), system{map.mesh().communicator, {}, {}, {}, {}} {
+      : dofs(&map), system{map.mesh().communicator, {}, {}, {}, {}, {}} {
     const Governance governance = find_governors(map, modules);
     for (int m = 0; m < static_cast<int>(modules.size()); ++m)
       for (const auto& kernel : modules[static_cast<std::size_t>(m)].kernels)
@@ -43,6 +44,9 @@ struct Assembler::Implementation {
       find_positions(sparsity, cells);
     make_matrix();
     system.blocks = name_blocks(map, governance, kernels);
+    system.layout = lay_out_rows(map, governance);
+    for (const KinematicPair& pair : pairs)
+      system.layout.followers.push_back({pair.displacement, pair.velocity});
     energy = EnergySums(kernels);
     for (std::size_t k = 0; k < kernels.size(); ++k)
       make_memory(kernels[k], modules[static_cast<std::size_t>(kernels[k].module)].name + "-" +
@@ -205,6 +209,7 @@ void Assembler::tangent(const State& state) {
     });
   }
   failure.throw_together(dofs.mesh(), state);
+  place_rows(dofs, state, system().layout);
 }
 
 std::vector<Assembler::CellValues> Assembler::cell_quantities(const Region& region,

@@ -55,10 +55,15 @@ void Constraints::apply(const Kinematics& kinematics) {
     const LocalIndex* const found = std::lower_bound(columns, columns + size, column);
     if (found != columns + size && *found == column) values[found - columns] += entry;
   };
+  RowLayout& layout = assembler_.system().layout;
+  layout.factor = kinematics.factor;
+  layout.ordered = true;
+  layout.prescribed.assign(prescribed_.size(), 0);
   const auto& pairs = assembler_.kinematic_pairs();
   for (const auto& pair : pairs) {
     if (pair.displacement >= assembler_.dofs().owned()) continue;
     if (finds_displacement(pair, kinematics)) {
+      layout.ordered = false;
       replace(pair.displacement, pair.velocity, 1, true);
       continue;
     }
@@ -70,6 +75,7 @@ void Constraints::apply(const Kinematics& kinematics) {
     if (prescribed_[static_cast<std::size_t>(row.row)] != static_cast<int>(i))
       continue;  // a later one rules
     replace(row.row, row.row, 1, true);
+    layout.prescribed[static_cast<std::size_t>(row.row)] = 1;
     const NodeDisplacement& moved = row.displacement;
     for (int k = 0; k < moved.count; ++k)
       for (int j = 0; j < assembler_.dofs().mesh().dimension; ++j)

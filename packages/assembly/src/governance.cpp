@@ -1,6 +1,7 @@
 #include "hawser/assembly/governance.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "hawser/base/error.hpp"
 
@@ -61,6 +62,23 @@ void claim_rows(const DofMap& dofs, const std::vector<PhysicsModule>& modules, G
   });
 }
 
+/// `meet`: [block][block], whether this rank has a row to which both add.
+void join_teams(const Communicator& communicator, const std::vector<char>& meet,
+                Governance& result) {
+  const std::size_t count = result.blocks.size();
+  std::vector<int>& team = result.team_of_block;
+  team.resize(count);
+  std::iota(team.begin(), team.end(), 0);
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b < count; ++b) {
+      if (!communicator.any(meet[a * count + b] != 0)) continue;
+      const auto [lesser, greater] = std::minmax(team[a], team[b]);
+      std::replace(team.begin(), team.end(), int(greater), int(lesser));
+    }
+  for (int& row : result.team_of_row)
+    if (row >= 0) row = team[static_cast<std::size_t>(row)];
+}
+
 // Where modules of two blocks add, small and large contributions meet: a block of its own.
 void assign_blocks(const DofMap& dofs, const std::vector<PhysicsModule>& modules,
                    Governance& result) {
@@ -74,6 +92,7 @@ void assign_blocks(const DofMap& dofs, const std::vector<PhysicsModule>& modules
   for (const PhysicsModule& module : modules)
     block_of_module.push_back(block(module.block));
   const int interface = block("interface");
+  std::vector<char> meet(result.blocks.size() * result.blocks.size(), 0);
   visit_all(dofs, modules, [&](int module, const FieldUse& use, std::size_t row) {
     const int governor = result.governor[row];
     const bool takes_part = governor == Governance::kinematic ? use.role == Role::kinematic
@@ -82,14 +101,22 @@ void assign_blocks(const DofMap& dofs, const std::vector<PhysicsModule>& modules
     const int mine = block_of_module[static_cast<std::size_t>(module)];
     int& chosen = result.block_of_row[row];
     chosen = chosen < 0 || chosen == mine ? mine : interface;
+    int& first = result.team_of_row[row];
+    if (first < 0) first = mine;
+    meet[static_cast<std::size_t>(first) * result.blocks.size() + static_cast<std::size_t>(mine)] =
+        1;
   });
+  join_teams(dofs.mesh().communicator, meet, result);
 }
 
 }  // namespace
 
 Governance find_governors(const DofMap& dofs, const std::vector<PhysicsModule>& modules) {
   const auto owned = static_cast<std::size_t>(dofs.owned());
-  Governance result{std::vector<int>(owned, Governance::shared), {}, std::vector<int>(owned, -1)};
+  Governance result;
+  result.governor.assign(owned, Governance::shared);
+  result.block_of_row.assign(owned, -1);
+  result.team_of_row.assign(owned, -1);
   claim_rows(dofs, modules, result);
   assign_blocks(dofs, modules, result);
   return result;

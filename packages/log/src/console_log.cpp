@@ -36,6 +36,9 @@ void ConsoleLog::start(const RunHeading& heading) {
 }
 
 void ConsoleLog::solved(const NonlinearReport& report) {
+  if (tells())
+    for (const std::string& sentence : report.notes)
+      terminal_.line(sentence);
   if (!tells() || report.criteria.empty()) return;
   decides_ = text(report.criteria.back());
   if (detail_ != LogDetail::iterations) return;

@@ -33,7 +33,11 @@ void JsonLog::start(const RunHeading& heading) {
         {"end_s", heading.end}});
 }
 
-void JsonLog::solved(const NonlinearReport& report) { newton_ = report; }
+void JsonLog::solved(const NonlinearReport& report) {
+  newton_ = report;
+  for (const std::string& sentence : report.notes)
+    note(sentence);
+}
 
 void JsonLog::rejected(double time, double length, const std::string& why) {
   tell({{"event", "rejected"}, {"time_s", time}, {"step_s", length}, {"reason", why}});

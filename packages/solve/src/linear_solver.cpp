@@ -17,7 +17,7 @@ struct LinearSolver::Implementation {
   Implementation(BlockSystem& a_system, LinearOptions some_options)
       : system(a_system),
         options(some_options),
-        factor(make_factor(a_system.communicator, some_options)),
+        factor(make_factor(a_system, scaling, some_options)),
         scaled(Teuchos::rcp(new TpetraMatrix(a_system.matrix->getCrsGraph()))),
         b(a_system.rows),
         remainder(a_system.rows) {
@@ -29,6 +29,7 @@ struct LinearSolver::Implementation {
     if (refresh_due) scaling.compute(*system.matrix, system.communicator);
     scaling.apply(*system.matrix, *scaled);
     if (shift != 0) add_to_diagonal();
+    if (!refresh_due) factor->adapt();
     matrix_is_new = false;
   }
 
@@ -47,6 +48,7 @@ struct LinearSolver::Implementation {
     if (!analysed) factor->symbolic(scaled);
     analysed = true;
     factor->numeric();
+    prescribed = system.layout.prescribed;
     ++factorizations;
     refresh_due = false;
     fresh_effort = -1;
@@ -59,26 +61,29 @@ struct LinearSolver::Implementation {
   }
 
   /// Decides from iteration counts alone whether the factor still pays. Forcing terms change the
-  /// tolerance from solve to solve, so what is compared are iterations per decade.
+  /// tolerance from solve to solve, so what is compared are iterations per decade: the fewest that
+  /// the factor has taken, because a loose solve takes more of them.
   void judge_factor(int iterations, double tolerance) {
     const double decades = std::max(-std::log10(tolerance), 1e-3);
-    if (fresh_effort < 0) fresh_effort = iterations / decades;
+    const double effort = iterations / decades;
+    fresh_effort = fresh_effort < 0 ? effort : std::min(fresh_effort, effort);
     refresh_due =
         iterations > options.refresh_ratio * fresh_effort * decades + options.refresh_slack;
   }
 
   BlockSystem& system;
   LinearOptions options;
-  std::unique_ptr<Factor> factor;
   RowScaling scaling;
+  std::unique_ptr<Factor> factor;
   Teuchos::RCP<TpetraMatrix> scaled;  ///< the matrix, rows scaled; a copy
   TpetraVector b;                     ///< the right-hand side, scaled
   TpetraVector remainder;
+  std::vector<char> prescribed;  ///< rows, when the factor was made
   double shift = 0;
   bool matrix_is_new = true;
   bool refresh_due = true;
   bool analysed = false;
-  double fresh_effort = -1;  ///< iterations per decade of the factor's first solve; -1: none yet
+  double fresh_effort = -1;  ///< the fewest iterations per decade with the factor; -1: none yet
   int factorizations = 0;
   Stopwatch factor_watch, solve_watch;
 };
@@ -106,10 +111,22 @@ LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
 void LinearSolver::matrix_changed(double shift) {
   implementation_->matrix_is_new = true;
   implementation_->shift = shift;
-  if (!implementation_->options.keep_factor) drop_factor();
+  const BlockSystem& system = implementation_->system;
+  if (!implementation_->options.keep_factor ||
+      system.communicator.any(system.layout.prescribed != implementation_->prescribed))
+    drop_factor();
 }
 
 void LinearSolver::drop_factor() { implementation_->refresh_due = true; }
+
+void LinearSolver::forget() {
+  implementation_->factor->start_over();
+  drop_factor();
+}
+
+std::vector<std::string> LinearSolver::take_notes() {
+  return implementation_->factor->take_notes();
+}
 
 const LinearOptions& LinearSolver::options() const { return implementation_->options; }
 
@@ -175,6 +192,11 @@ LinearReport LinearSolver::solve(const TpetraVector& rhs, TpetraVector& x, doubl
   };
   auto [outcome, good] = attempt();
   if (!good && !report.factored) {
+    refresh();
+    self.scaling.apply(rhs, self.b);
+    std::tie(outcome, good) = attempt();
+  }
+  while (!good && self.factor->fall_back()) {
     refresh();
     self.scaling.apply(rhs, self.b);
     std::tie(outcome, good) = attempt();

@@ -17,7 +17,7 @@ Newton::Newton(NonlinearProblem& a_problem, LinearOptions linear_options,
       update_(Teuchos::rcp(new TpetraVector(a_problem.system().rows))) {}
 
 void Newton::forget() {
-  linear.drop_factor();
+  linear.forget();
   scales_ = {};
 }
 

@@ -76,6 +76,7 @@ NonlinearReport NonlinearDriver::solve(TpetraVector& x) {
     start.update(1.0, group->x(), 0.0);
   }
   x.update(1.0, start, 0.0);
+  newton.report.notes = newton.linear.take_notes();
   return newton.report;
 }
 

@@ -17,6 +17,8 @@ class RowScaling {
   /// SolveError on all ranks when a row is zero or holds a value that is not finite.
   void compute(const TpetraMatrix& matrix, const Communicator& communicator);
 
+  const std::vector<double>& factors() const { return factors_; }  ///< per owned row
+
   void apply(const TpetraMatrix& from, TpetraMatrix& to) const;  ///< both with one graph
   void apply(const TpetraVector& from, TpetraVector& to) const;
 

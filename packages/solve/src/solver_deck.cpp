@@ -6,9 +6,17 @@ namespace {
 Spec<LinearOptions> linear_spec() {
   using P = LinearOptions;
   return Spec<P>("linear", "Solver of the linear equations in each Newton iteration.")
-      .choice("method", &P::method, {{"gmres", P::Method::gmres}, {"mumps", P::Method::mumps}},
-              "GMRES preconditioned by overlapping Schwarz with an incomplete factor, or by MUMPS' "
-              "complete one.")
+      .choice(
+          "method", &P::method,
+          {{"gmres", P::Method::gmres}, {"mumps", P::Method::mumps}, {"blocks", P::Method::blocks}},
+          "GMRES preconditioned by overlapping Schwarz with an incomplete factor, by MUMPS' "
+          "complete one, or block by block.")
+      .choice("block-method", &P::block_method,
+              {{"auto", P::BlockMethod::automatic},
+               {"direct", P::BlockMethod::direct},
+               {"multigrid", P::BlockMethod::multigrid}},
+              "Of each block of method=\"blocks\": MUMPS' factor, or multigrid (smoothed "
+              "aggregation); by its size.")
       .attribute("tolerance", &P::tolerance, "1", between(1e-14, 0.5),
                  "Of the row-scaled residual, relative to the right-hand side.")
       .attribute("restart", &P::restart, at_least(1), "GMRES vectors kept before a restart.")

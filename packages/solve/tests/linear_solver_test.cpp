@@ -117,7 +117,7 @@ TEST_F(LinearSolverTest, BackendsAgree) {
 
 // Ifpack2 keeps stale overlap values unless it is made to look again: seen on more than one rank.
 TEST_F(LinearSolverTest, NewMatrixValuesReachTheFactor) {
-  for (const auto method : {Method::gmres, Method::mumps}) {
+  for (const auto method : {Method::gmres, Method::mumps, Method::blocks}) {
     LinearOptions options;
     options.method = method;
     set_speed(20);
@@ -134,7 +134,7 @@ TEST_F(LinearSolverTest, NewMatrixValuesReachTheFactor) {
 }
 
 TEST_F(LinearSolverTest, KeptFactorIsRefreshedByIterationCount) {
-  for (const auto method : {Method::gmres, Method::mumps}) {
+  for (const auto method : {Method::gmres, Method::mumps, Method::blocks}) {
     LinearOptions options;
     options.method = method;
     options.keep_factor = true;
@@ -190,7 +190,7 @@ TEST_F(LinearSolverTest, SingularMatrixIsAnError) {
   matrix->resumeFill();
   matrix->setAllToScalar(1.0);  // no row is zero, all are alike
   matrix->fillComplete();
-  for (const auto method : {Method::gmres, Method::mumps}) {
+  for (const auto method : {Method::gmres, Method::mumps, Method::blocks}) {
     LinearOptions options;
     options.method = method;
     options.max_iterations = 20;

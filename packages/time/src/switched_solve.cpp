@@ -14,6 +14,7 @@ void append(NonlinearReport& report, const NonlinearReport& later) {
   report.jacobians += later.jacobians;
   report.linear_iterations += later.linear_iterations;
   report.factorizations += later.factorizations;
+  report.notes.insert(report.notes.end(), later.notes.begin(), later.notes.end());
   report.history.insert(report.history.end(), later.history.begin(), later.history.end());
   report.ratios.insert(report.ratios.end(), later.ratios.begin(), later.ratios.end());
   report.criteria.insert(report.criteria.end(), later.criteria.begin(), later.criteria.end());

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/algebra/row_layout.hpp"
 #include "hawser/algebra/tpetra_fwd.hpp"
 #include "hawser/base/communicator.hpp"
 #include "hawser/base/types.hpp"
@@ -27,6 +28,7 @@ struct BlockSystem {
   Teuchos::RCP<const TpetraMap> columns;  ///< owned, then ghost unknowns
   Teuchos::RCP<TpetraMatrix> matrix;  ///< fill-complete, fixed graph; values rewritten per Jacobian
   std::vector<Block> blocks;          ///< disjoint, together all owned rows
+  RowLayout layout{};
 
   double entries() const;  ///< of the matrix, on all ranks
 };

@@ -35,7 +35,7 @@ class Constraints {
   /// Replaces the constrained rows of an assembled residual and its magnitude.
   void apply(const State& state, const Kinematics& kinematics, std::vector<double>& residual,
              std::vector<double>& magnitude) const;
-  /// The same for the assembled tangent.
+  /// The same for the assembled tangent; the system's layout says from now on what was replaced.
   void apply(const Kinematics& kinematics);
 
  private:

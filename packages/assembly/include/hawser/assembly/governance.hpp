@@ -17,6 +17,10 @@ struct Governance {
   /// Names on all ranks alike: the modules' blocks, then "interface", where modules of several add.
   std::vector<std::string> blocks;
   std::vector<int> block_of_row;  ///< per owned row
+  /// Per owned row: the least of the blocks that hang together with the row's by rows to which both
+  /// add, as a fluid and a structure do.
+  std::vector<int> team_of_row;
+  std::vector<int> team_of_block;  ///< the same per block, on all ranks alike
 };
 
 /// DeckError naming both modules when two of equal rank govern the same row. Collective.

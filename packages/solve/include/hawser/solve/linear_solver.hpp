@@ -3,6 +3,8 @@
 // for later matrices. Rows carry different physical units (N, m^2/s, m); scaling them is done in
 // here.
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "hawser/algebra/block_system.hpp"
 
@@ -11,9 +13,16 @@ namespace hawser {
 struct LinearOptions {
   enum class Method {
     gmres,  ///< preconditioned by an incomplete factor, overlapping Schwarz between the ranks
-    mumps   ///< preconditioned by MUMPS' complete factor: one iteration while the factor is fresh
+    mumps,  ///< preconditioned by MUMPS' complete factor: one iteration while the factor is fresh
+    blocks  ///< preconditioned group by group, as the system's layout says
+  };
+  enum class BlockMethod {
+    automatic,  ///< multigrid for large groups, direct for small ones
+    direct,     ///< MUMPS
+    multigrid   ///< smoothed aggregation
   };
   Method method = Method::gmres;
+  BlockMethod block_method = BlockMethod::automatic;  ///< of each group
   double tolerance = 1e-6;   ///< of the residual's 2-norm to the right-hand side's, both row-scaled
   int restart = 100;         ///< GMRES vectors kept before a restart
   int max_iterations = 300;  ///< GMRES iterations, over all restarts
@@ -27,6 +36,7 @@ struct LinearOptions {
   /// Keep the factor for later matrices until a solve with it takes more than
   /// refresh_ratio * n + refresh_slack iterations, n being those of its first solve, or fails.
   /// Only iterations count, never measured time: the same run twice is the same to the last bit.
+  /// With another set of prescribed rows a factor is not worth trying.
   bool keep_factor = false;
   double refresh_ratio = 1.5;
   int refresh_slack = 5;
@@ -52,6 +62,8 @@ class LinearSolver {
 
   /// The next solve makes a new factor, whatever the refresh rule says.
   void drop_factor();
+  /// The same, and what earlier solves have taught is forgotten.
+  void forget();
 
   /// x = matrix^-1 rhs, from a zero initial guess. Collective. SolveError on all ranks when the
   /// matrix is singular, a value is not finite, or GMRES fails with a fresh factor too.
@@ -65,6 +77,9 @@ class LinearSolver {
   /// The residual, rows scaled, and its 2-norm, which is what solve() reduces. After a first solve.
   void scale(const TpetraVector& residual, TpetraVector& scaled) const;
   double scaled_norm(const TpetraVector& residual);
+
+  /// What was decided since the last call that a user may want to know. The same on all ranks.
+  std::vector<std::string> take_notes();
 
   const LinearOptions& options() const;
   int factorizations() const;  ///< made since construction

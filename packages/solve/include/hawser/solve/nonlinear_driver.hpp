@@ -84,6 +84,7 @@ struct NonlinearReport {
   int jacobians = 0;          ///< evaluated
   int linear_iterations = 0;  ///< in all
   int factorizations = 0;
+  std::vector<std::string> notes;               ///< of the linear solver, for the user
   std::vector<std::vector<BlockNorm>> history;  ///< per iteration, the start included
   std::vector<double> ratios;                   ///< the worst ratio of each
   std::vector<Criterion> criteria;              ///< what decided on each
