@@ -207,35 +207,37 @@ void Conditions::look_ahead(const State& start, const RunSpan& span,
   if (!span.steady && !span.finds_start) find_jumps(start, span, diagnostics);
 }
 
-std::optional<Conditions::Motion> Conditions::prescribed_motion(LocalIndex vertex, double time,
-                                                                const State& state) const {
-  const int field = dofs_.find(field_name::displacement);
-  if (field < 0) return std::nullopt;
-  const LocalIndex wanted = dofs_.first_row(field, PointKind::vertex, vertex);
+std::optional<std::vector<double>> Conditions::prescribed_velocity(LocalIndex vertex, double time,
+                                                                   const State& state) const {
+  const int velocity = dofs_.find(field_name::velocity);
+  if (velocity < 0) return std::nullopt;
+  const LocalIndex first = dofs_.first_row(velocity, PointKind::vertex, vertex);
   const auto count =
-      static_cast<std::size_t>(dofs_.fields()[static_cast<std::size_t>(field)].components);
-  Motion motion{std::vector<double>(count, 0), std::vector<double>(count, 0)};
-  std::vector<char> known(count, 0);
+      static_cast<std::size_t>(dofs_.fields()[static_cast<std::size_t>(velocity)].components);
+  std::vector<std::optional<double>> known(count);
   for (const Entry& entry : prescribed_) {
-    const auto& rows = entry.first_rows;
-    if (!entry.is_displacement || wanted < 0 || time <= entry.from || time > entry.until ||
-        std::find(rows.begin(), rows.end(), wanted) == rows.end())
-      continue;
-    const auto components = static_cast<std::size_t>(entry.source->components());
-    std::vector<double> values(components), rates(components);
-    SpaceTime at = point(wanted, state);
-    at.t = time;
-    entry.source->value(at, values.data());
-    entry.source->time_derivative(at, rates.data());
-    for (std::size_t c = 0; c < components; ++c) {
-      const auto place = static_cast<std::size_t>(entry.first_component) + c;
-      motion.place[place] = values[c];
-      motion.velocity[place] = rates[c];
-      known[place] = 1;
+    if (first < 0 || time <= entry.from || time > entry.until) continue;
+    for (const LocalIndex row : entry.first_rows) {
+      const LocalIndex moves =
+          entry.is_displacement ? velocity_of_[static_cast<std::size_t>(row)] : row;
+      if (moves != first) continue;
+      std::vector<double> values(static_cast<std::size_t>(entry.source->components()));
+      SpaceTime at = point(row, state);
+      at.t = time;
+      if (entry.is_displacement)
+        entry.source->time_derivative(at, values.data());
+      else
+        entry.source->value(at, values.data());
+      for (std::size_t c = 0; c < values.size(); ++c)
+        known[static_cast<std::size_t>(entry.first_component) + c] = values[c];
     }
   }
-  if (std::find(known.begin(), known.end(), 0) != known.end()) return std::nullopt;
-  return motion;
+  std::vector<double> result;
+  for (const auto& component : known) {
+    if (!component) return std::nullopt;
+    result.push_back(*component);
+  }
+  return result;
 }
 
 }  // namespace hawser

@@ -168,12 +168,14 @@ TEST(LookAhead, KnowsHowAVertexWillMove) {
     if (sample.mesh.coordinates[2 * static_cast<std::size_t>(v)] == 4 &&
         sample.mesh.coordinates[2 * static_cast<std::size_t>(v) + 1] == 1)
       tail = v;
-  const auto motion = sample.conditions->prescribed_motion(tail, 2, sample.state);
-  ASSERT_TRUE(motion);
-  EXPECT_EQ(motion->place, (std::vector<double>{6, 4}));
-  EXPECT_EQ(motion->velocity, (std::vector<double>{3, 4}));
-  EXPECT_FALSE(SampleConditions(prescribed("displacement", "tail", "t", "component=\"y\""))
-                   .conditions->prescribed_motion(tail, 2, sample.state));
+  const auto at = [&](const std::string& text) {
+    return SampleConditions(text).conditions->prescribed_velocity(tail, 2, sample.state);
+  };
+  EXPECT_EQ(sample.conditions->prescribed_velocity(tail, 2, sample.state),
+            (std::vector<double>{3, 4}));
+  EXPECT_EQ(at(prescribed("velocity", "tail", "t; 1")), (std::vector<double>{2, 1}));
+  EXPECT_EQ(at(prescribed("displacement", "tail", "t", "component=\"y\"")), std::nullopt);
+  EXPECT_EQ(at(prescribed("displacement", "tail", "t; t", "from=\"5\"")), std::nullopt);
 }
 
 }  // namespace

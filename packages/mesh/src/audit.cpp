@@ -8,6 +8,7 @@
 #include "audit_findings.hpp"
 #include "body_parts.hpp"
 #include "coincident.hpp"
+#include "hanging.hpp"
 #include "hawser/mesh/mesh_audit.hpp"
 #include "line_pieces.hpp"
 #include "whole_mesh.hpp"
@@ -37,6 +38,7 @@ class Audit {
     look_at_points();
     if (!mesh_.has_body()) return found_.all();
     look_at_lines();
+    look_at_hanging_nodes();
     look_at_boundary();
     look_at_modules();
     look_at_parts();
@@ -90,6 +92,22 @@ class Audit {
                  "; nothing passes from one to the other. Join what meets there in gmsh "
                  "(BooleanFragments, Coherence, or a last line 'Coherence Mesh;'), or name in "
                  "<mesh apart=\"...\"> the region that is meant to be apart");
+  }
+
+  void look_at_hanging_nodes() {
+    if (!std::isfinite(shortest_)) return;
+    auto hanging = hanging_vertices(mesh_, sides_, 0.01 * shortest_);
+    hanging.erase(std::remove_if(hanging.begin(), hanging.end(),
+                                 [&](LocalIndex v) { return apart_[at(v)] != 0; }),
+                  hanging.end());
+    if (!hanging.empty())
+      found_.error(counted(hanging.size(), "node") + " of the boundary " +
+                   (hanging.size() == 1 ? "lies" : "lie") +
+                   " on edges of it that do not end there, " + found_.places(hanging) + " in " +
+                   found_.regions_at(hanging) +
+                   "; nothing passes there. Let what meets there have the same nodes in gmsh "
+                   "(BooleanFragments, or one curve for both surfaces), or name in <mesh "
+                   "apart=\"...\"> the region that is meant to be apart");
   }
 
   /// By an edge, which look_at_edges() has told of.

@@ -15,6 +15,11 @@ struct Entry {
   LocalIndex vertex;
 };
 
+std::int64_t box(double x, double spacing) {
+  constexpr double most = 9e18;
+  return static_cast<std::int64_t>(std::clamp(std::floor(x / spacing), -most, most));
+}
+
 std::uint64_t mixed(std::uint64_t hash, std::int64_t number) {
   hash ^= static_cast<std::uint64_t>(number) + 0x9e3779b97f4a7c15U + (hash << 6U) + (hash >> 2U);
   return hash * 0xff51afd7ed558ccdU;
@@ -43,8 +48,7 @@ std::vector<std::pair<LocalIndex, LocalIndex>> coincident_vertices(const Mesh& m
     for (int j = 0; j < mesh.dimension; ++j) {
       // Shifted, so that the nodes of a regular grid do not lie on the boxes' sides.
       const double x = mesh.coordinates[at(mesh.dimension * v + j)] + 0.317 * spacing;
-      range[at(j)] = {static_cast<std::int64_t>(std::floor((x - distance) / spacing)),
-                      static_cast<std::int64_t>(std::floor((x + distance) / spacing))};
+      range[at(j)] = {box(x - distance, spacing), box(x + distance, spacing)};
     }
     for (auto i = range[0][0]; i <= range[0][1]; ++i)
       for (auto j = range[1][0]; j <= range[1][1]; ++j)

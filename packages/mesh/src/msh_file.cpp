@@ -121,11 +121,17 @@ class MshReader {
       in_.real("a coordinate");
   }
 
+  /// gmsh writes a negative number for a curve that its group takes backwards.
+  long long group_of(long long number) const {
+    if (std::abs(static_cast<double>(number)) > 1e18)
+      in_.fail(std::to_string(number) + " is no number of a physical group");
+    return std::abs(number);
+  }
+
   std::vector<long long> read_groups() {
     std::vector<long long> groups;
-    // gmsh writes a negative number for a curve that its group takes backwards
     for (auto n = in_.count("the number of physical groups"); n > 0; --n)
-      groups.push_back(std::abs(in_.integer("a physical number")));
+      groups.push_back(group_of(in_.integer("a physical number")));
     return groups;
   }
 
@@ -246,7 +252,7 @@ class MshReader {
         std::vector<long long> groups;
         for (auto t = 0LL; t < tags; ++t) {
           const auto value = in_.integer("a tag");
-          if (t == 0 && value != 0) groups.push_back(std::abs(value));  // the others are gmsh's own
+          if (t == 0 && value != 0) groups.push_back(group_of(value));  // the others are gmsh's own
         }
         read_element(number, type, groups);
       }

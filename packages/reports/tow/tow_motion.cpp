@@ -46,22 +46,15 @@ void TowReport::compare_motion(const Outlook& outlook, Diagnostics& diagnostics)
   const auto dimension = static_cast<std::size_t>(dofs_.mesh().dimension);
   const RunSpan& span = outlook.span;
   const auto time = [&](int i) { return span.begin + (span.end - span.begin) * i / instants; };
-  // Per instant: whether it is known, place, velocity; from the rank that owns the tow point.
-  const std::size_t size = 1 + 2 * dimension;
-  std::vector<double> motion(size * (instants + 1), 0);
+  // Per instant; from the rank that owns the tow point.
+  std::vector<double> motion(dimension * (instants + 1), 0);
   for (int i = 1; tow_point_ >= 0 && i <= instants; ++i)
     if (const auto known =
-            outlook.conditions.prescribed_motion(tow_point_, time(i), outlook.state)) {
-      double* const here = &motion[size * static_cast<std::size_t>(i)];
-      here[0] = 1;
-      std::copy(known->place.begin(), known->place.end(), here + 1);
-      std::copy(known->velocity.begin(), known->velocity.end(), here + 1 + dimension);
-    }
+            outlook.conditions.prescribed_velocity(tow_point_, time(i), outlook.state))
+      std::copy(known->begin(), known->end(), &motion[dimension * static_cast<std::size_t>(i)]);
   MPI_Allreduce(MPI_IN_PLACE, motion.data(), static_cast<int>(motion.size()), MPI_DOUBLE, MPI_SUM,
                 dofs_.mesh().communicator.mpi());
-  const auto velocity = [&](int i) {
-    return &motion[size * static_cast<std::size_t>(i) + 1 + dimension];
-  };
+  const auto velocity = [&](int i) { return &motion[dimension * static_cast<std::size_t>(i)]; };
   int fastest = 0;
   for (int i = 1; i <= instants; ++i)
     if (length(velocity(i), dimension) > length(velocity(fastest), dimension)) fastest = i;

@@ -47,13 +47,11 @@ class Conditions {
   /// a node, that never hold, that begin far from the initial values. Collective.
   void look_ahead(const State& start, const RunSpan& span, Diagnostics& diagnostics) const;
 
-  /// What a vertex's displacement is prescribed to be at a time, and how fast it changes then;
-  /// reference and moved positions stand as in `state`. Nothing where a component is free, or on
-  /// ranks that do not know the vertex. Not collective.
-  struct Motion {
-    std::vector<double> place, velocity;  ///< per component, m and m/s
-  };
-  std::optional<Motion> prescribed_motion(LocalIndex vertex, double time, const State& state) const;
+  /// The velocity, per component, m/s, that displacements and velocities prescribe a vertex to have
+  /// at a time; moved positions stand as in `state`. Nothing where a component is free, or on ranks
+  /// that do not know the vertex. Not collective.
+  std::optional<std::vector<double>> prescribed_velocity(LocalIndex vertex, double time,
+                                                         const State& state) const;
 
   /// Edges of the windows of time, s.
   std::vector<double> events() const;
