@@ -153,7 +153,7 @@ Attempt Stepper::advance(double longest) {
     attempt.why = error.what();
     if (!case_.deck().time.single_solve()) return cut(std::move(attempt));
     told(std::move(attempt));
-    throw SolveError(error.what() + advice(attempt.why));
+    throw SolveError(error.what() + advice(error.what()));
   }
   attempt.local_error = system_->integrator->local_error(system_->problem->state());
   const StepOutcome outcome{attempt.local_error, attempt.newton.iterations};
