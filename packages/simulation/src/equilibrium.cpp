@@ -145,7 +145,10 @@ class Search {
       limit *= more_settled;
       since = 0;
     }
-    throw SolveError("no equilibrium was found to start from: " + why_);
+    throw SolveError("no equilibrium was found to start from: " + why_ +
+                     "; what may lead to one: initial values that are nearer, another "
+                     "relaxation-step of <equilibrium>, <newton pseudo-step=\"1\"/>, or "
+                     "<continuation> from an easier value of a parameter");
   }
 
   /// With the conditions of the start: the step ends there.

@@ -18,12 +18,16 @@
 namespace hawser {
 namespace {
 
-/// Where Newton's method fails; not where a formula is no number.
-const std::string what_to_try =
-    "; a steady solve has no shorter step to try. What may lead to its solution: "
-    "<newton pseudo-step=\"1\"/>; loads that grow with t, over several steps (<time step> shorter "
-    "than its end); <start><equilibrium><continuation> from an easier value of a parameter, such "
+constexpr auto what_to_try =
+    "; what may lead to a steady solution: <newton pseudo-step=\"1\"/>; loads that grow with t, "
+    "over more steps (a shorter <time step>); <start><equilibrium><continuation> from an easier "
+    "value of a parameter, such "
     "as a greater viscosity; or time steps (another scheme) until nothing changes";
+
+/// Where Newton's method fails in a steady solve; not where a formula is no number.
+std::string advice(const std::string& why) {
+  return why.rfind("Newton", 0) == 0 ? what_to_try : "";
+}
 
 }  // namespace
 
@@ -135,7 +139,8 @@ Attempt Stepper::told(Attempt attempt) {
 Attempt Stepper::cut(Attempt attempt) {
   attempt = told(std::move(attempt));
   if (control_->rejected(attempt.length)) return attempt;
-  throw SolveError(attempt.why + "; the least step was reached");
+  throw SolveError(attempt.why + "; the least step was reached" +
+                   (case_.deck().time.steady() ? advice(attempt.why) : ""));
 }
 
 Attempt Stepper::advance(double longest) {
@@ -148,7 +153,7 @@ Attempt Stepper::advance(double longest) {
     attempt.why = error.what();
     if (!case_.deck().time.single_solve()) return cut(std::move(attempt));
     told(std::move(attempt));
-    throw SolveError(error.what() + (attempt.why.rfind("Newton", 0) == 0 ? what_to_try : ""));
+    throw SolveError(error.what() + advice(error.what()));
   }
   attempt.local_error = system_->integrator->local_error(system_->problem->state());
   const StepOutcome outcome{attempt.local_error, attempt.newton.iterations};

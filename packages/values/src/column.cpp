@@ -207,8 +207,7 @@ class Reader {
       fault(direction->cell,
             "is '" + direction->name +
                 "' where it comes from or where it goes to? The deck must say: <table name=\"...\" "
-                "file=\"" +
-                csv_.file + "\" direction=\"coming-from\"/> or \"going-to\"");
+                "file=\"...\" direction=\"coming-from\"/> or \"going-to\"");
   }
 
   void check_positions() {

@@ -111,7 +111,7 @@ FAULTS(
     Direction,
     header("time_s,speed_kn,direction_deg", "t.csv:1:17",
            "is 'direction_deg' where it comes from or where it goes to? The deck must say: <table "
-           "name=\"...\" file=\"t.csv\" direction=\"coming-from\"/> or \"going-to\""),
+           "name=\"...\" file=\"...\" direction=\"coming-from\"/> or \"going-to\""),
     header("time_s,speed_kn,heading_deg", "t.csv:1:17", "comes from or where it goes to?"),
     way("time_s,speed_kn,direction_deg", "t.csv:1:8",
         "a speed and a direction make a velocity, and the field 'displacement' is in m; needed: "
