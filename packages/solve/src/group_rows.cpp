@@ -9,7 +9,7 @@
 namespace hawser {
 namespace {
 
-constexpr long long few_rows = 60000;    // of a group that MUMPS factors as fast
+constexpr long long few_rows = 300000;   // of a group that MUMPS factors as fast
 constexpr long long fewest_rows = 3000;  // of multigrid, which is to have a coarser level
 constexpr double most_idle_places = .1;  // per unknown
 
