@@ -9,7 +9,7 @@
 namespace hawser {
 namespace {
 
-constexpr long long few_rows = 60000;    // of a group that MUMPS factors as fast
+constexpr long long few_rows = 300000;   // of a group that MUMPS factors as fast
 constexpr long long fewest_rows = 3000;  // of multigrid, which is to have a coarser level
 constexpr double most_idle_places = .1;  // per unknown
 
@@ -34,21 +34,25 @@ void pad(const BlockSystem& system, GroupRows& group) {
     place_of_kind[static_cast<std::size_t>(layout.kind[static_cast<std::size_t>(row)])] = 0;
   for (LocalIndex& place : place_of_kind)
     if (system.communicator.any(place == 0)) place = group.per_node++;
-  std::vector<LocalIndex> places;
+  std::vector<LocalIndex> places, columns;
   LocalIndex node = -1;
   for (const LocalIndex row : group.rows) {
     const auto r = static_cast<std::size_t>(row);
     if (layout.node[r] != node) {
       node = layout.node[r];
       places.insert(places.end(), static_cast<std::size_t>(group.per_node), SubMatrix::identity);
+      columns.resize(places.size(), SubMatrix::identity);
       const double* const x = &layout.positions[static_cast<std::size_t>(node * layout.dimension)];
       group.positions.insert(group.positions.end(), x, x + layout.dimension);
     }
     const LocalIndex place = place_of_kind[static_cast<std::size_t>(layout.kind[r])];
-    if (!is_prescribed(layout, r))
-      places[places.size() - static_cast<std::size_t>(group.per_node - place)] = row;
+    const std::size_t here = places.size() - static_cast<std::size_t>(group.per_node - place);
+    const bool known = is_prescribed(layout, r);
+    if (!known) places[here] = row;
+    if (!known || !group.displaces) columns[here] = row;
   }
   group.rows = std::move(places);
+  group.columns = std::move(columns);
 }
 
 /// Why multigrid cannot solve for these rows.
@@ -79,6 +83,7 @@ GroupRows group_rows(const BlockSystem& system, const TpetraMatrix& matrix, int 
   if (group == GroupRows::everything) {
     result.name = "everything";
     result.as_they_are = true;
+    result.columns = result.rows;
     return result;
   }
   result.name = layout.groups[static_cast<std::size_t>(group)].name;
@@ -95,6 +100,7 @@ GroupRows group_rows(const BlockSystem& system, const TpetraMatrix& matrix, int 
                                      return is_prescribed(layout, static_cast<std::size_t>(row));
                                    }),
                     result.rows.end());
+  result.columns = result.rows;
   return result;
 }
 
@@ -102,9 +108,9 @@ std::vector<GlobalIndex> group_columns(const BlockSystem& system, const TpetraMa
                                        const GroupRows& group, const TpetraMap& map) {
   const RowLayout& layout = system.layout;
   std::vector<GlobalIndex> numbers(matrix.getNodeNumRows(), SubMatrix::absent);
-  for (std::size_t i = 0; i < group.rows.size(); ++i)
-    if (group.rows[i] != SubMatrix::identity)
-      numbers[static_cast<std::size_t>(group.rows[i])] =
+  for (std::size_t i = 0; i < group.columns.size(); ++i)
+    if (group.columns[i] != SubMatrix::identity)
+      numbers[static_cast<std::size_t>(group.columns[i])] =
           map.getGlobalElement(static_cast<LocalIndex>(i));
   std::vector<GlobalIndex> columns = spread(matrix, numbers);
   if (group.as_they_are) return columns;

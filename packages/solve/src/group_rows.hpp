@@ -12,8 +12,9 @@ struct GroupRows {
   static constexpr int everything = -2;  ///< all rows as one group, as they are
 
   std::string name;
-  bool as_they_are = false;      ///< everything: followers are unknowns like others
-  std::vector<LocalIndex> rows;  ///< of the system; SubMatrix::identity: a place without an unknown
+  bool as_they_are = false;         ///< everything: followers are unknowns like others
+  std::vector<LocalIndex> rows;     ///< of the system; SubMatrix::identity: nothing to solve here
+  std::vector<LocalIndex> columns;  ///< owned ones of the system in the same order, likewise
   /// Where multigrid can solve the group: every node has as many places, in one order. 0: it
   /// cannot.
   int per_node = 0;
@@ -24,7 +25,9 @@ struct GroupRows {
 };
 
 /// The rows of the group but for prescribed ones, which are known. Where multigrid is wanted and
-/// possible, nodes keep places for those and for unknowns that they lack. Collective.
+/// possible, nodes keep places for those and for unknowns that they lack. There a flow keeps the
+/// columns of its prescribed unknowns, too: a constant velocity must have no divergence next to a
+/// wall, or the coarse levels are useless. Collective.
 GroupRows group_rows(const BlockSystem& system, const TpetraMatrix& matrix, int group,
                      LinearOptions::BlockMethod method);
 
