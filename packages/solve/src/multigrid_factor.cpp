@@ -62,7 +62,7 @@ Vectors near_null_space(const GroupRows& group, const TpetraMatrix& matrix,
 }
 
 /// What a prototype found best on the matrices of tows
-/// (doc/decisions/0070-a-block-preconditioner.md).
+/// (doc/decisions/0065-a-block-preconditioner.md).
 Teuchos::ParameterList parameters(const GroupRows& group, bool parallel) {
   Teuchos::ParameterList list;
   list.set("verbosity", "none");
