@@ -39,7 +39,7 @@ std::string tow_deck(const std::string& top, const std::string& tail = "") {
   <time beta="0.3025" gamma="0.6" step="20" end="1000"/>
   <solver>
     <linear method="mumps" tolerance="1e-13"/>
-    <newton tolerance="1e-12"/>
+    <newton tolerance="1e-12" lagged="false"/>
   </solver>
 </hawser>)";
 }

@@ -99,8 +99,8 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
             {"viscosity", Kind::dissipated},
             {"stabilisation", Kind::numerical}};
   }
-  /// theory.md, "Energy". What the pressure does on a divergence that the subscales leave belongs to
-  /// the stabilisation.
+  /// theory.md, "Energy". What the pressure does on a divergence that the subscales leave belongs
+  /// to the stabilisation.
   void powers(const CellInput& cell, double* powers) const override {
     std::fill(powers, powers + 5, 0.0);
     this->at_moved_points(cell, [&](const auto& at, double weight, double expansion) {
@@ -111,14 +111,16 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
       const double divergence = trace(v.gradient);
       double kinetic = 0.5 * rho * dot(v.value, v.value) * expansion;
       double force = 0, carried = -kinetic, viscous = 0;
-      double numerical = (rho * balance.continuity_scale * divergence - at[pressure].value) * divergence;
+      double numerical =
+          (rho * balance.continuity_scale * divergence - at[pressure].value) * divergence;
       for (int i = 0; i < D; ++i) {
         kinetic += rho * v.value[i] * v.rate[i];
         force -= rho * v.value[i] * force_(i, at, d);
         numerical += rho * v.value[i] * balance.subscale_rate[i];
         for (int j = 0; j < D; ++j) {
           carried += rho * v.value[i] * v.gradient(i, j) * balance.convection[j];
-          viscous += properties_.viscosity * (v.gradient(i, j) + v.gradient(j, i)) * v.gradient(i, j);
+          viscous +=
+              properties_.viscosity * (v.gradient(i, j) + v.gradient(j, i)) * v.gradient(i, j);
           numerical -= rho * balance.subscale[i] * balance.convection[j] * v.gradient(i, j);
         }
       }
@@ -130,7 +132,8 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
   void energies(const CellInput& cell, double* energies) const override {
     std::fill(energies, energies + 5, 0.0);
     this->at_moved_points(cell, [&](const auto& at, double weight, double /*expansion*/) {
-      energies[0] += weight * 0.5 * properties_.density * dot(at[velocity].value, at[velocity].value);
+      energies[0] +=
+          weight * 0.5 * properties_.density * dot(at[velocity].value, at[velocity].value);
     });
   }
 

@@ -52,9 +52,8 @@ std::vector<double> EnergyReport::measure(const Step& step) {
     values.push_back(assembler_.energy_terms()[i].kind == EnergyTerm::Kind::stored
                          ? account.energy[i]
                          : account.work[i]);
-  values.insert(values.end(),
-                {account.supports, account.boundaries, account.time_dissipation, account.residue,
-                 account.done, account.residue_of_work_done()});
+  values.insert(values.end(), {account.supports, account.boundaries, account.time_dissipation,
+                               account.residue, account.done, account.residue_of_work_done()});
   return values;
 }
 

@@ -146,8 +146,7 @@ double LinearSolver::scaled_norm(const TpetraVector& residual) {
   return self.remainder.norm2();
 }
 
-LinearReport LinearSolver::approximate(const TpetraVector& rhs, TpetraVector& x,
-                                       double tolerance) {
+LinearReport LinearSolver::approximate(const TpetraVector& rhs, TpetraVector& x, double tolerance) {
   auto& self = *implementation_;
   if (!self.factor->complete()) return solve(rhs, x, tolerance);
   LinearReport report;

@@ -55,10 +55,11 @@ Spec<NonlinearOptions> newton_spec() {
           "pseudo-step", &P::pseudo_step, "1", at_least(0),
           "First step of pseudo-transient continuation, for a steady state that Newton's method "
           "does not reach: smaller is safer and slower; 0: none.")
-      .attribute("lagged", &P::lagged,
-                 "Iterate with the Jacobian of an earlier step, Anderson-accelerated, until renewing "
-                 "it pays; Newton's method where that fails. Without a word: in time steps, not in "
-                 "steady solves.")
+      .attribute(
+          "lagged", &P::lagged,
+          "Iterate with the Jacobian of an earlier step, Anderson-accelerated, until renewing "
+          "it pays; Newton's method where that fails. Without a word: in time steps, not in "
+          "steady solves.")
       .attribute("forcing", &P::forcing,
                  "Looser linear solves far from the solution (Eisenstat-Walker).")
       .attribute("forcing-max", &P::forcing_max, "1", between(1e-12, 0.9),

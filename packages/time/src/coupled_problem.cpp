@@ -130,12 +130,12 @@ void CoupledProblem::jacobian(const TpetraVector& x) {
 
 bool CoupledProblem::jacobian_lasts() const {
   const auto& rows = constraints_.prescribed();
-  const bool same = std::equal(
-      rows.begin(), rows.end(), jacobian_fixed_.begin(), jacobian_fixed_.end(),
-      [](const PrescribedRow& row, LocalIndex fixed) { return row.row == fixed; });
+  const bool same =
+      std::equal(rows.begin(), rows.end(), jacobian_fixed_.begin(), jacobian_fixed_.end(),
+                 [](const PrescribedRow& row, LocalIndex fixed) { return row.row == fixed; });
   constexpr double about = 1.3;
-  const bool near = state_.step == jacobian_step_ || (state_.step < about * jacobian_step_ &&
-                                                      jacobian_step_ < about * state_.step);
+  const bool near = state_.step == jacobian_step_ ||
+                    (state_.step < about * jacobian_step_ && jacobian_step_ < about * state_.step);
   return assembler_.dofs().mesh().communicator.sum(same && near ? 0LL : 1LL) == 0;
 }
 

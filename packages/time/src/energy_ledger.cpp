@@ -1,5 +1,6 @@
 #include "hawser/time/energy_ledger.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/physics/field_use.hpp"
@@ -71,8 +72,12 @@ EnergyAccount EnergyLedger::after_step(const CoupledProblem& problem) const {
     const Kind kind = assembler_.energy_terms()[i].kind;
     next.residue -= work;
     next.work[i] += kind == Kind::supplied ? -work : work;
-    if (kind == Kind::supplied) next.done += std::abs(work);
-    if (kind == Kind::stored) next.time_dissipation += work - (next.energy[i] - account_.energy[i]);
+    if (kind == Kind::stored)
+      next.time_dissipation += work - (next.energy[i] - account_.energy[i]);
+    else if (kind == Kind::supplied)
+      next.done += std::abs(work);
+    else
+      next.done += std::max(0.0, -work);  // drag drives what is slower than the water
   }
   return next;
 }

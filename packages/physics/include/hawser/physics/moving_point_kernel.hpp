@@ -125,24 +125,24 @@ class MovingPointKernel : public PointKernel<Derived> {
   }
 
  protected:
-  /// visit(at, weight, expansion) at every quadrature point of the moved mesh, in doubles: the weight
-  /// is the moved volume of the point, m^dimension, and expansion the rate at which it grows, over
-  /// the volume, 1/s.
+  /// visit(at, weight, expansion) at every quadrature point of the moved mesh, in doubles: the
+  /// weight is the moved volume of the point, m^dimension, and expansion the rate at which it
+  /// grows, over the volume, 1/s.
   template <class Visit>
   void at_moved_points(const CellInput& cell, Visit&& visit) const {
     constexpr std::size_t d = decltype(Derived::displacement)::value;
     constexpr int D = Derived::dimension;
     const double* const rate = cell.fields[d].rate;
-    this->at_points(
-        cell, [&](const auto& reference, double weight, int /*q*/, const auto& gradients) {
-          const auto frame = static_cast<const Derived&>(*this).frame(reference);
-          double expansion = 0;  // F^-1 : grad w
-          for (int a = 0; a < this->nodes(d); ++a)
-            for (int i = 0; i < D; ++i)
-              for (int k = 0; k < D; ++k)
-                expansion += frame.inverse(k, i) * gradients[d][a][k] * rate[a * D + i];
-          visit(moved(reference, frame), weight * frame.volume, expansion);
-        });
+    this->at_points(cell,
+                    [&](const auto& reference, double weight, int /*q*/, const auto& gradients) {
+                      const auto frame = static_cast<const Derived&>(*this).frame(reference);
+                      double expansion = 0;  // F^-1 : grad w
+                      for (int a = 0; a < this->nodes(d); ++a)
+                        for (int i = 0; i < D; ++i)
+                          for (int k = 0; k < D; ++k)
+                            expansion += frame.inverse(k, i) * gradients[d][a][k] * rate[a * D + i];
+                      visit(moved(reference, frame), weight * frame.volume, expansion);
+                    });
   }
 
  private:

@@ -116,7 +116,8 @@ class PointKernel : public Kernel {
 
  protected:
   /// visit(at, weight, q, gradients) at every quadrature point, in doubles: the weight is the
-  /// reference volume of the point, m^dimension, gradients[field][node][k] those of the shapes, 1/m.
+  /// reference volume of the point, m^dimension, gradients[field][node][k] those of the shapes,
+  /// 1/m.
   template <class Visit>
   void at_points(const CellInput& cell, Visit&& visit) const;
 

@@ -70,8 +70,8 @@ class LinearSolver {
   LinearReport solve(const TpetraVector& rhs, TpetraVector& x, double tolerance);
   LinearReport solve(const TpetraVector& rhs, TpetraVector& x);  ///< to options().tolerance
 
-  /// About matrix^-1 rhs, for an iteration that corrects itself: what a complete factor, be it of an
-  /// earlier matrix, makes of rhs; where the factor is none, solve() to `tolerance`.
+  /// About matrix^-1 rhs, for an iteration that corrects itself: what a complete factor, be it of
+  /// an earlier matrix, makes of rhs; where the factor is none, solve() to `tolerance`.
   LinearReport approximate(const TpetraVector& rhs, TpetraVector& x, double tolerance);
 
   /// The residual, rows scaled, and its 2-norm, which is what solve() reduces. After a first solve.

@@ -18,7 +18,8 @@ struct EnergyAccount {
   double boundaries = 0;        ///< by other prescribed velocities: walls, inflow
   double time_dissipation = 0;  ///< rate of stored energies over the steps, less their gain
   double residue = 0;           ///< of the balance of powers: not converged, or not declared
-  double done = 0;              ///< work done by supports, boundaries and loads, without signs
+  double done = 0;              ///< work done by supports, boundaries and loads, without signs, and
+                                ///< what other terms have given
 
   double residue_of_work_done() const { return done > 0 ? residue / done : 0; }
 };
