@@ -35,7 +35,7 @@ class Expectations(unittest.TestCase):
             deck, folder = edited("never", time_end="20", inside=NEVER), fresh("never")
             done = hawser(ranks, "run", deck, "-q", "-o", folder)
             self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
-            self.assertRegex(done.stderr, r"never.xml:\d+:\d+: nothing here reports a quantity 'lift_n'; there are step, ")
+            self.assertRegex(done.stderr, r"never.xml:\d+:\d+: nothing here reports a quantity 'lift_n'; there are end_time_s, ")
             self.assertFalse((folder / "summary.json").exists())
 
     def test_a_shortened_run_is_not_judged(self):

@@ -54,8 +54,8 @@ class JsonLog(SystemTest):
             events = self.events(ranks, 0, "run", edited("json", **CUT), "-o", folder)
             of = lambda kind: [event for event in events if event["event"] == kind]
             history, summary = Results(folder).history(), Results(folder).summary()
-            self.assertEqual((events[1]["event"], events[1]["ranks"], events[1]["unknowns"]),
-                             ("start", ranks, summary["unknowns"]))
+            (start,) = of("start")
+            self.assertEqual((start["ranks"], start["unknowns"]), (ranks, summary["unknowns"]))
             for key, column in ("time_s", "t_s"), ("step_s", "step_s"), ("newton_iterations",) * 2, \
                     ("linear_iterations",) * 2:
                 self.assertEqual([step[key] for step in of("step")], list(history[column]), key)
