@@ -41,6 +41,16 @@ std::vector<std::string> quantities_of(const RunDeck& deck, const Reports& repor
   return names;
 }
 
+/// Jacobians are kept in time steps of systems that are large enough, and solved loosely enough,
+/// for it to pay (doc/decisions/0064-kept-jacobians.md).
+NonlinearOptions with_lagging(NonlinearOptions newton, bool steady, const DofMap& dofs) {
+  constexpr GlobalIndex least_unknowns = 1000;
+  constexpr double least_tolerance = 1e-8;
+  newton.lagged = newton.lagged.value_or(!steady && newton.tolerance >= least_tolerance &&
+                                         dofs.global_count() >= least_unknowns);
+  return newton;
+}
+
 /// What does not fit together: DeckError, or notes.
 void look_ahead(const Case& run_case, System& system, Diagnostics& diagnostics) {
   const RunDeck& deck = run_case.deck();
@@ -112,9 +122,9 @@ std::unique_ptr<System> build_system(const Case& run_case, const std::string& me
     check_steady(*system, deck.solver.linear, deck.time.end, deck.time.location);
   else if (deck.start.equilibrium)
     check_steady(*system, deck.solver.linear, system->problem->state().time, deck.start.location);
-  NonlinearOptions newton = deck.solver.newton;
-  newton.lagged = newton.lagged.value_or(!deck.time.steady());
-  system->driver = std::make_unique<NonlinearDriver>(*system->problem, deck.solver.linear, newton);
+  system->driver = std::make_unique<NonlinearDriver>(
+      *system->problem, deck.solver.linear,
+      with_lagging(deck.solver.newton, deck.time.steady(), *system->dofs));
   system->driver->describe_row(
       [dofs = system->dofs.get()](GlobalIndex row) { return describe_row(*dofs, row); });
   return system;

@@ -73,9 +73,10 @@ TEST_F(StepperTest, GivesFieldsByNameWithEachNodeOnce) {
 
 TEST_F(StepperTest, ARejectedStepIsToldAndTheNextIsShorter) {
   Attempts attempts;
-  Stepper stepper(string(
-      {{"amplitude", "2"}, {"solver/newton/max-iterations", "1"}, {"solver/newton/lagged", "false"},
-       {"time/least-step", "0.005"}}));
+  Stepper stepper(string({{"amplitude", "2"},
+                          {"solver/newton/max-iterations", "1"},
+                          {"solver/newton/lagged", "false"},
+                          {"time/least-step", "0.005"}}));
   stepper.observe(attempts);
   const Attempt first = stepper.advance();
   EXPECT_FALSE(first.accepted);

@@ -3,7 +3,7 @@
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
-#include <stdexcept>
+#include <exception>
 
 #include "nox_solve.hpp"
 
@@ -61,7 +61,7 @@ bool Lagged::iterate(TpetraVector& x) {
     }
   } catch (const SolveError&) {
     // Thrown on all ranks alike; Newton, which has a line search, may do better.
-  } catch (const std::logic_error&) {
+  } catch (const std::exception&) {
     // NOX's Anderson finds that two updates are parallel, which round-off can make them.
   }
   return false;

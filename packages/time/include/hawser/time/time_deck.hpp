@@ -12,7 +12,7 @@ struct TimeDeck : StepOptions {
   TimeScheme::Method method = TimeScheme::Method::newmark;
   std::optional<double> beta, gamma, rho_infinity, theta;
   bool euler_start = true;
-  double energy_growth = 1;  ///< EnergyLedger::grows; 0: not looked at
+  double energy_growth = 10;  ///< EnergyLedger::grows; 0: not looked at
   Location location;
   bool steady() const { return method == TimeScheme::Method::steady; }
   /// One steady solve: there is no shorter step to try; load steps have one.
