@@ -57,9 +57,9 @@ Spec<NonlinearOptions> newton_spec() {
           "does not reach: smaller is safer and slower; 0: none.")
       .attribute(
           "lagged", &P::lagged,
+          absent("in time steps of 1000 unknowns or more to a tolerance not below 1e-8"),
           "Iterate with the Jacobian of an earlier step, Anderson-accelerated, until renewing "
-          "it pays; Newton's method where that fails. Without a word: in time steps of 1000 "
-          "unknowns or more, to a tolerance not below 1e-8.")
+          "it pays; Newton's method where that fails.")
       .attribute("forcing", &P::forcing,
                  "Looser linear solves far from the solution (Eisenstat-Walker).")
       .attribute("forcing-max", &P::forcing_max, "1", between(1e-12, 0.9),
