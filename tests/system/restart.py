@@ -6,7 +6,7 @@ PLAIN = dict(output_checkpoint_every="3")
 # 20/3 is no binary number, and the run is stopped at the checkpoint itself: its last step must be a whole one.
 THIRDS = dict(output_checkpoint_every="3", time_step="6.666666666666667", time_end="66.66666666666667")
 # Two iterations cut the first steps. The checkpoint, at 59.88 s, falls between a cut and the growth that a count of good steps brings.
-CUT = dict(output_checkpoint_every="2", newton_max_iterations="2", time_end="160", time_grow_after="3",
+CUT = dict(output_checkpoint_every="2", newton_max_iterations="2", newton_lagged="false", time_end="160", time_grow_after="3",
            output_fields_every="1")
 # The length of the steps follows their local error.
 STEERED = dict(output_checkpoint_every="4", time_scheme="generalised-alpha", time_step="5", adapt='error="2e-3"',

@@ -30,6 +30,7 @@ bool Lagged::solve(TpetraVector& x) {
 void Lagged::renew(const TpetraVector& x) {
   newton_.linear.drop_factor();
   newton_.compute_jacobian(x);
+  if (newton_.linear.prepare()) ++newton_.report.factorizations;
   stale_ = false;
   spent_ = newton_.options.renewal_cost;
   solves_ = 0;

@@ -146,12 +146,17 @@ double LinearSolver::scaled_norm(const TpetraVector& residual) {
   return self.remainder.norm2();
 }
 
+bool LinearSolver::prepare() {
+  const bool due = implementation_->refresh_due;
+  if (due) implementation_->refresh();
+  return due;
+}
+
 LinearReport LinearSolver::approximate(const TpetraVector& rhs, TpetraVector& x, double tolerance) {
   auto& self = *implementation_;
   if (!self.factor->complete()) return solve(rhs, x, tolerance);
   LinearReport report;
-  report.factored = self.refresh_due;
-  if (self.refresh_due) self.refresh();
+  report.factored = prepare();
   const auto lap = self.solve_watch.lap();
   self.scaling.apply(rhs, self.b);
   self.factor->solve(self.b, x);

@@ -70,6 +70,10 @@ class LinearSolver {
   LinearReport solve(const TpetraVector& rhs, TpetraVector& x, double tolerance);
   LinearReport solve(const TpetraVector& rhs, TpetraVector& x);  ///< to options().tolerance
 
+  /// Makes the factor now, if the next solve would; true when it did. Norms of residuals are by the
+  /// row scaling that belongs to it.
+  bool prepare();
+
   /// About matrix^-1 rhs, for an iteration that corrects itself: what a complete factor, be it of
   /// an earlier matrix, makes of rhs; where the factor is none, solve() to `tolerance`.
   LinearReport approximate(const TpetraVector& rhs, TpetraVector& x, double tolerance);
