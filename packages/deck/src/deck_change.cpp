@@ -43,7 +43,7 @@ std::string read_path(const std::string& path, std::vector<Step>& steps, std::st
   attribute = parts.back();
   parts.pop_back();
   for (const std::string& part : parts) {
-    const std::string fault = read_step(part, steps.emplace_back());
+    std::string fault = read_step(part, steps.emplace_back());
     if (!fault.empty()) return fault;
   }
   return "";
