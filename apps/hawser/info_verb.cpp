@@ -50,8 +50,7 @@ void print_summary(const Json& summary) {
 
 void print_checkpoint(const CheckpointHeader& header) {
   print("checkpoint", "step " + std::to_string(header.step) + ", t = " + short_number(header.time) +
-                          " s, deck " + header.texts.at("deck_file") + ", mesh " +
-                          header.texts.at("mesh"));
+                          " s, deck " + header.texts.at("deck_file"));
 }
 
 void print_grid(const GridContents& grid) {

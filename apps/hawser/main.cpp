@@ -1,5 +1,6 @@
 // The program: one verb per thing a user does (verb.hpp).
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 
@@ -27,9 +28,20 @@ int perform(const Alone& action) {
   return environment.guarded([&] { return action(environment); });
 }
 
+/// When MPI ends HDF5 tries to close what could not be written, and crashes; all else is done.
+[[noreturn]] void leave(const Communicator& world, int code) {
+  world.any(false);  // mpirun ends all when one goes
+  std::fflush(nullptr);
+  std::_Exit(code);
+}
+
 int perform(const OnRanks& action) {
+  // Who reads what is told here may go; the run does not go with him.
+  std::signal(SIGPIPE, SIG_IGN);
   Environment environment;
-  return environment.guarded([&] { return action(environment); });
+  const int code = environment.guarded([&] { return action(environment); });
+  if (code == static_cast<int>(ExitCode::input_output)) leave(environment.communicator(), code);
+  return code;
 }
 
 /// What the command line asks for; help and complaints are actions, too.

@@ -32,11 +32,16 @@ the run finished, but an expectation of the deck does not hold
 .B 75
 stopped by a signal; checkpoint.h5 holds the last accepted state
 .SH SIGNALS
-SIGTERM, SIGINT and SIGUSR2, to any rank, end a run after its present step with a checkpoint; a second one
-ends it at once. SIGUSR1 writes a checkpoint, and the run goes on. Of these
+SIGTERM, SIGINT, SIGUSR1, SIGHUP and SIGXCPU, to any rank, end a run after its present step with a checkpoint, as
+.B --stop-after
+does; a SIGTERM or SIGINT half a second later or more ends it at once. SIGUSR2 writes a checkpoint, and the run goes
+on. Of these
 .BR mpirun (1)
 forwards SIGUSR1 and SIGUSR2.
 .SH ENVIRONMENT
+.TP
+.B HAWSER_PLUGIN_SECONDS
+how long plug-ins may take to be loaded and to make their modules; 60 by default
 .TP
 .B NO_COLOR
 when it is set, no colours on a terminal

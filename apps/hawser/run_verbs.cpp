@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "hawser/base/duration.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/run.hpp"
 #include "run_options.hpp"
@@ -72,6 +73,16 @@ void add_run_options(CLI::App& verb, Arguments& arguments) {
   verb.add_flag("-f,--force", arguments.options.force, "write over the results of another run");
   verb.add_option("--end", arguments.of_case.end, "end time in s, instead of the deck's")
       ->check(CLI::PositiveNumber);
+  verb.add_option_function<std::string>(
+      "--stop-after",
+      [&arguments](const std::string& given) {
+        try {
+          arguments.options.stop_after = read_duration(given);
+        } catch (const Error& error) {
+          throw CLI::ValidationError(error.what());
+        }
+      },
+      "wall time such as 5h50m, 90m or 1d12h after which the run stops as it does by a signal");
   auto* quiet = verb.add_flag("-q,--quiet", arguments.quiet, "tell what goes wrong only");
   auto* verbose =
       verb.add_flag("-v,--verbose", arguments.verbose, "a line per Newton iteration, too");
@@ -110,7 +121,8 @@ Verb run_verb(CLI::App& app) {
   auto* verb = app.add_subcommand("run", "run a deck");
   verb->footer(
       "Example: mpirun -np 2 hawser run inputs/deep_tow/case_02.xml -o results/case_02\n"
-      "SIGTERM, SIGINT, SIGUSR2: checkpoint and stop, exit code 75. SIGUSR1: checkpoint.");
+      "SIGTERM, SIGINT, SIGUSR1, SIGHUP, SIGXCPU: checkpoint and stop, exit code 75. SIGUSR2: "
+      "checkpoint.");
   const auto arguments = new_arguments(*verb);
   verb->add_option("deck", arguments->file, "XML deck")->required();
   add_changes(*verb, arguments->of_case.changes);
@@ -132,9 +144,12 @@ Verb run_verb(CLI::App& app) {
 
 Verb restart_verb(CLI::App& app) {
   auto* verb = app.add_subcommand("restart", "go on from a checkpoint, on any number of ranks");
-  verb->footer("Example: mpirun -np 3 hawser restart results/case_02/checkpoint.h5");
+  verb->footer(
+      "Example: mpirun -np 3 hawser restart results/case_02/checkpoint.h5\n"
+      "--set changes what a run may change on its way: its end, its step, solver, output.");
   const auto arguments = new_arguments(*verb);
   verb->add_option("checkpoint", arguments->file, "checkpoint.h5 of an earlier run")->required();
+  add_changes(*verb, arguments->of_case.changes);
   add_run_options(*verb, *arguments);
   return {verb, OnRanks([arguments](Environment& environment) {
             environment.plugin_folder = arguments->plugin_folder;

@@ -4,6 +4,7 @@ python3 tests/plugin/plugin_test.py BUILD_FOLDER PLUGIN_FOLDER
 """
 import csv
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -20,7 +21,8 @@ def hawser(ranks, *arguments, folder=PLUGINS, cwd=None):
                str(BUILD / "bin/hawser"), *map(str, arguments)]
     if folder is not None:
         command += ["--plugin-dir", str(folder)]
-    return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, cwd=cwd)
+    return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, cwd=cwd,
+                          env={**os.environ, "HAWSER_PLUGIN_SECONDS": "2"}, timeout=120)
 
 
 def plugins_of(name, **files):
@@ -139,6 +141,19 @@ class UnfitPlugin(unittest.TestCase):
         self.refused("thrower", "failed while it registered its parts: no licence server")
         self.refused("number_thrower", "failed while it registered its parts: it threw something")
 
+    def test_that_never_comes_back(self):
+        for plugin in "endless", "endless_library":
+            self.refused(plugin, "fails while it is loaded: it does not come back within 2 s")
+
+    def test_whose_start_ends_the_program(self):
+        self.refused("crasher", "fails while it is loaded: it ends the program with signal SIGSEGV")
+        self.refused("quitter", "fails while it is loaded: it ends the program with exit code 0")
+
+    def test_is_refused_by_verbs_that_only_describe_it(self):
+        done = hawser(1, "modules", "--plugin", "endless")
+        self.assertEqual((done.returncode, done.stderr.splitlines()[0]), (
+            5, "plug-in 'endless' fails while it is loaded: it does not come back within 2 s"))
+
     def test_that_is_no_library(self):
         self.refused("diary", "cannot be loaded: ", folder=plugins_of("no_library", diary="Dear diary"))
 
@@ -168,6 +183,36 @@ class UnfitPlugin(unittest.TestCase):
         done = hawser(2, "check", deck, folder=folder)
         self.assertEqual(done.returncode, 5, done.stderr)
         self.assertIn("two modules want the tag <heat>", done.stderr.splitlines()[0])
+
+
+class Harmful(unittest.TestCase):
+    """Whatever a module of a plug-in does, the run ends with one sentence that names the plug-in."""
+
+    def ends(self, harm, code, sentence):
+        SCRATCH.mkdir(parents=True, exist_ok=True)
+        deck = SCRATCH / f"harm_{harm}.xml"
+        text = (HERE / "heat.xml").read_text().replace('<plugin name="heat"/>', '<plugin name="harmful"/>')
+        deck.write_text(text.replace('<heat region="water" capacity="1" conductivity="1"/>',
+                                     f'<harmful region="water" harm="{harm}"/>'))
+        for ranks in 1, 2:
+            with self.subTest(harm=harm, ranks=ranks):
+                done = hawser(ranks, "run", deck, "-o", SCRATCH / f"harm_{harm}", "-f", "-q")
+                self.assertEqual(done.returncode, code, done.stderr)
+                self.assertEqual(done.stderr.count("plug-in 'harmful'"), 1, done.stderr)
+                self.assertIn(sentence, done.stderr)
+
+    def test_constructors(self):
+        self.ends("hang", 5, "plug-in 'harmful': module <harmful> cannot be made: it does not come back within 2 s")
+        self.ends("crash", 5, "module <harmful> cannot be made: it ends the program with signal SIGSEGV")
+        self.ends("exit", 5, "module <harmful> cannot be made: it ends the program with exit code 0")
+        self.ends("throw", 5, "module <harmful> cannot be made: no memory for the tables")
+        self.ends("throw-a-number", 5, "module <harmful> cannot be made: it threw something")
+
+    def test_equations(self):
+        self.ends("wrong-field", 3, "module 'harm' of plug-in 'harmful' reads the field 'velocty', which no module solves "
+                                    "for; there are")
+        self.ends("nan", 6, "gives a residual that is not a number (module 'harm' of plug-in 'harmful')")
+        self.ends("throw-later", 5, "module 'harm' of plug-in 'harmful' fails in its equations: out of luck")
 
 
 class Verbs(unittest.TestCase):

@@ -123,9 +123,9 @@ class BrokenCheckpoint(SystemTest):
 
     def test_of_which_one_number_changed(self):
         with h5py.File(self.checkpoint, "r+") as file:
-            name, array = next(iter(file["arrays"].items()))
+            array = next(iter(file["arrays"].values()))
             array[0, 0] += 1e-12
-        self.refused(f".*/checkpoint.h5 is corrupt: array '{name}' is not what was written")
+        self.refused(".*/checkpoint.h5 is damaged: it is not what was written")
 
     def test_that_is_another_hdf5_file(self):
         shutil.copy(self.folder / "flow-000001.h5", self.checkpoint)

@@ -18,7 +18,7 @@ harness.parser.add_argument("--seed", type=int, default=None)
 GIVEN = harness.parser.parse_known_args()[0]
 
 RANKS = 2
-STOPS = signal.SIGTERM, signal.SIGINT, signal.SIGUSR2
+STOPS = signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGHUP, signal.SIGXCPU
 LENGTH = dict(time_end="400", output_fields_every="5")
 # A restarted run has no factor and no Jacobian from before. A run that keeps none, or that drops them at a checkpoint
 # after each step, is therefore the same to the last bit wherever it is stopped; one that keeps them is the same to
@@ -162,16 +162,16 @@ class Stops(SystemTest):
         deck, folder = edited("forwarded", **EXACT["saving"]), fresh("forwarded")
         with started(RANKS, "run", deck, "-o", folder, **slow_mesher(1)) as process:
             wait_for(folder)
-            process.send_signal(signal.SIGUSR1)
+            process.send_signal(signal.SIGUSR2)
             out, err = process.communicate(timeout=300)
         self.assertEqual(process.returncode, 0, err)
-        self.assertIn(f"SIGUSR1: checkpoint of t = 0 s in {folder}/checkpoint.h5\n", out)
+        self.assertIn(f"SIGUSR2: checkpoint of t = 0 s in {folder}/checkpoint.h5\n", out)
         self.assertSame(reference("saving.whole", deck), Results(folder))
         folder = fresh("forwarded")
         with started(RANKS, "run", deck, "-q", "-o", folder, **slow_mesher(1)) as process:
             wait_for(folder)
-            process.send_signal(signal.SIGUSR2)
-            self.stopped(process, folder, signal.SIGUSR2)
+            process.send_signal(signal.SIGUSR1)
+            self.stopped(process, folder, signal.SIGUSR1)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ namespace hawser {
 void CellFailure::throw_together(const Mesh& mesh, const State& state) const {
   mesh.communicator.together([&] {
     if (status == CellStatus::ok) return;
+    if (!thrown.empty()) throw PluginError(thrown);
     if (!sentence.empty()) throw SolveError(sentence);
     const Region& region = *cells->region;
     const auto per_cell = static_cast<std::size_t>(region.vertices_per_cell);
@@ -28,6 +29,7 @@ void CellFailure::throw_together(const Mesh& mesh, const State& state) const {
     text << ") m, "
          << (status == CellStatus::inverted ? "turned inside out (det F <= 0)"
                                             : "gives a residual that is not a number")
+         << (cells->stranger.empty() ? "" : " (" + cells->stranger + ")")
          << " at t = " << state.time << " s";
     throw SolveError(text.str());
   });

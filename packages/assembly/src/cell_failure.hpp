@@ -12,6 +12,7 @@ struct CellFailure {
   const KernelCells* cells = nullptr;
   LocalIndex cell = 0;
   std::string sentence;  ///< when an expression of the deck said why
+  std::string thrown;    ///< by a module of a plug-in, and no SolveError
 
   /// `evaluate` gives a CellStatus, or throws SolveError: on this rank only, so far.
   template <class Evaluate>
@@ -21,6 +22,11 @@ struct CellFailure {
       found = evaluate();
     } catch (const SolveError& error) {
       if (status == CellStatus::ok) sentence = error.what();
+    } catch (const Error&) {
+      throw;
+    } catch (const std::exception& error) {
+      if (where.stranger.empty()) throw;
+      if (thrown.empty()) thrown = where.stranger + " fails in its equations: " + error.what();
     }
     if (status != CellStatus::ok || found == CellStatus::ok) return;
     status = found;
@@ -28,7 +34,8 @@ struct CellFailure {
     cell = which;
   }
 
-  /// SolveError on all ranks when any of them met such a cell. Collective.
+  /// SolveError on all ranks when any of them met such a cell, PluginError when a plug-in's module
+  /// threw there. Collective.
   void throw_together(const Mesh& mesh, const State& state) const;
 };
 

@@ -134,18 +134,17 @@ class Gathering {
     const Entry* const entry = find(use.name);
     if (entry == nullptr) {
       if (use.role == Role::reads)
-        diagnostics_.error(module.location, "module '" + module.name + "' reads the field '" +
-                                                use.name + "', which no module solves for" +
+        diagnostics_.error(module.location, named(module) + " reads the field '" + use.name +
+                                                "', which no module solves for" +
                                                 there_are(use.name));
       return;
     }
     if (!agree(*entry, use))
-      throw PluginError("module <" + module.name + "> and another one describe the field '" +
-                        use.name + "' differently: unit, components and rate must agree");
+      throw PluginError(named(module) + " and another one describe the field '" + use.name +
+                        "' differently: unit, components and rate must agree");
     if (use.needs_basis && use.basis && *use.basis != entry->description.basis)
-      diagnostics_.error(module.location, "module '" + module.name +
-                                              "' is written for the field '" + use.name + "' in " +
-                                              to_string(*use.basis) + ", and it is in " +
+      diagnostics_.error(module.location, named(module) + " is written for the field '" + use.name +
+                                              "' in " + to_string(*use.basis) + ", and it is in " +
                                               to_string(entry->description.basis));
   }
 

@@ -37,7 +37,8 @@ KernelCells resolve(const DofMap& dofs, const Governance& governance, const Phys
   cells.kernel = &kernel;
   cells.region = &region;
   cells.module = module_index;
-  const std::string who = "module '" + module.name + "' on '" + region.name + "'";
+  if (!module.plugin.empty()) cells.stranger = named(module);
+  const std::string who = named(module) + " on '" + region.name + "'";
   const std::vector<CellShape> shapes = kernel.shapes();
   if (std::find(shapes.begin(), shapes.end(), region.shape) == shapes.end())
     throw PluginError(who + " is written for " + traits(shapes.front()).plural +

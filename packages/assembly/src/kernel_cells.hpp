@@ -13,6 +13,7 @@ struct KernelCells {
   const Kernel* kernel = nullptr;
   const Region* region = nullptr;
   int module = 0;
+  std::string stranger;  ///< the module's full name where it is of a plug-in
   std::vector<int>
       fields;  ///< per field of the kernel: index in the DofMap; -1 when nobody solves it
   std::vector<int> first;  ///< first unknown of each field on a cell; one more entry: all unknowns

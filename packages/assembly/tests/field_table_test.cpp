@@ -111,7 +111,7 @@ TEST(FieldTable, OneFieldHasOneDescription) {
         list(module_of("flow", {velocity(Role::adds)}), module_of("other", {other}));
     EXPECT_THAT([&] { gather_fields(modules); },
                 ThrowsMessage<PluginError>(HasSubstr(
-                    "module <other> and another one describe the field 'velocity' differently")));
+                    "module 'other' and another one describe the field 'velocity' differently")));
   }
 }
 

@@ -92,11 +92,16 @@ ChildResult run_child(const std::string& program, const std::vector<std::string>
   // after the child has finished.
   sigset_t blocked;
   sigemptyset(&blocked);
-  for (const int signal : {SIGINT, SIGTERM, SIGUSR1, SIGUSR2})
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1, SIGUSR2, SIGHUP, SIGXCPU})
     sigaddset(&blocked, signal);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  sigset_t as_ever;
+  sigemptyset(&as_ever);
+  for (const int signal : {SIGPIPE, SIGXFSZ})
+    sigaddset(&as_ever, signal);
+  posix_spawnattr_setsigdefault(&attributes, &as_ever);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   posix_spawnattr_setsigmask(&attributes, &blocked);
   pid_t child = 0;
   const int error =

@@ -15,10 +15,10 @@ namespace {
 TEST(Signals, ARequestIsTakenOnce) {
   const Signals signals{Communicator()};
   EXPECT_EQ(signals.take().kind, Request::Kind::none);
-  std::raise(SIGUSR1);
+  std::raise(SIGUSR2);
   const Request request = signals.take();
   EXPECT_EQ(request.kind, Request::Kind::checkpoint);
-  EXPECT_EQ(request.signal, "SIGUSR1");
+  EXPECT_EQ(request.signal, "SIGUSR2");
   EXPECT_EQ(signals.take().kind, Request::Kind::none);
 }
 
@@ -26,10 +26,29 @@ TEST(Signals, OneRanksWishToStopIsEveryones) {
   const Communicator all;
   const Signals signals(all);
   if (all.is_root()) std::raise(SIGTERM);
-  std::raise(SIGUSR1);
+  std::raise(SIGUSR2);
   const Request request = signals.take();
   EXPECT_EQ(request.kind, Request::Kind::stop);
   EXPECT_EQ(request.signal, "SIGTERM");
+}
+
+TEST(Signals, OneWishMayArriveTwice) {
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGHUP, SIGXCPU}) {
+    const Signals signals{Communicator()};
+    std::raise(signal);
+    std::raise(signal);
+    EXPECT_EQ(signals.take().signal, std::string("SIG") + sigabbrev_np(signal));
+  }
+}
+
+TEST(Signals, AHangUpThatWasIgnoredStaysIgnored) {
+  std::signal(SIGHUP, SIG_IGN);  // as nohup has it
+  {
+    const Signals signals{Communicator()};
+    std::raise(SIGHUP);
+    EXPECT_EQ(signals.take().kind, Request::Kind::none);
+  }
+  std::signal(SIGHUP, SIG_DFL);
 }
 
 void (*handler_of(int signal))(int) {
@@ -39,12 +58,12 @@ void (*handler_of(int signal))(int) {
 }
 
 TEST(Signals, AreGivenBack) {
-  const auto before = handler_of(SIGUSR2);
+  const auto before = handler_of(SIGUSR1);
   {
     const Signals signals{Communicator()};
-    EXPECT_NE(handler_of(SIGUSR2), before);
+    EXPECT_NE(handler_of(SIGUSR1), before);
   }
-  EXPECT_EQ(handler_of(SIGUSR2), before);
+  EXPECT_EQ(handler_of(SIGUSR1), before);
 }
 
 TEST(ScratchFolder, GoesWithWhatIsInIt) {

@@ -1,8 +1,5 @@
 #include "hawser/conditions/sources.hpp"
 
-#include <fstream>
-#include <sstream>
-
 #include "hawser/base/error.hpp"
 #include "hawser/conditions/conditions_deck.hpp"
 #include "hawser/values/expression_source.hpp"
@@ -11,16 +8,12 @@
 namespace hawser {
 namespace {
 
-std::string read_on_root(const Communicator& communicator, const std::string& path) {
-  std::string text;
-  communicator.on_root([&] {
-    std::ifstream file(path);
-    std::ostringstream all;
-    all << file.rdbuf();
-    if (!file) throw DeckError("cannot read the table " + path);
-    text = all.str();
-  });
-  return communicator.broadcast(text);
+/// The same text on all ranks; without the deck's files, as it lies on disk.
+std::string read_table(const Communicator& communicator, const std::shared_ptr<InputFiles>& files,
+                       const std::string& path) {
+  const auto text = files ? files->read(path) : InputFiles(communicator).read(path);
+  if (!text) throw DeckError("cannot read the table " + path);
+  return *text;
 }
 
 }  // namespace
@@ -45,6 +38,7 @@ Spec<ConditionDeck> TableSource::declare(Spec<ConditionDeck> spec) {
 
 void TableSource::complete(const Deck& text) {
   if (given) file = path_beside(text, *given);
+  files = text.files;
 }
 
 std::shared_ptr<const ValueSource> TableSource::make(const SourceContext& context) const {
@@ -54,8 +48,8 @@ std::shared_ptr<const ValueSource> TableSource::make(const SourceContext& contex
   const TableDeck* const named = find_table(context.named.tables, given->value);
   const TableDeck& deck = named == nullptr ? plain : *named;
   try {
-    return Table::read(read_on_root(context.communicator, deck.file.value), deck, context.wanted,
-                       context.diagnostics);
+    return Table::read(read_table(context.communicator, files, deck.file.value), deck,
+                       context.wanted, context.diagnostics);
   } catch (const DeckError& error) {
     std::vector<std::string> names;
     for (const TableDeck& table : context.named.tables)

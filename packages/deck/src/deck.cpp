@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "hawser/base/error.hpp"
 #include "hawser/deck/spec_reader.hpp"
@@ -10,27 +9,6 @@
 
 namespace hawser {
 namespace {
-
-std::optional<std::string> read_text(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  // One byte more than allowed, so that parse_deck sees that it is too much.
-  std::string text(deck_size_limit + 1, '\0');
-  const bool opened = stream.is_open();
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
-  if (!opened || stream.bad()) return std::nullopt;
-  return text;
-}
-
-/// Read on rank 0 for all.
-DeckFiles files_of(const Communicator& communicator) {
-  return [&communicator](const std::string& name) {
-    std::optional<std::string> text;
-    if (communicator.is_root()) text = read_text(name);
-    const std::string known = communicator.broadcast(text ? "+" + *text : "-");
-    return known[0] == '+' ? std::optional<std::string>(known.substr(1)) : std::nullopt;
-  };
-}
 
 class Reader {
  public:
@@ -134,17 +112,20 @@ Deck read_deck(const DeckFiles& files, const std::string& file,
 Deck read_deck(const Communicator& communicator, const std::string& file,
                const std::vector<DeckChange>& changes, const DeckLanguage& language,
                Diagnostics& diagnostics) {
-  return read_deck(files_of(communicator), file, changes, language, diagnostics);
+  return read_deck(std::make_shared<InputFiles>(communicator), file, changes, language,
+                   diagnostics);
 }
 
-Deck read_deck_text(const Communicator& communicator, const std::string& text,
-                    const std::string& file, const std::vector<DeckChange>& changes,
-                    const DeckLanguage& language, Diagnostics& diagnostics) {
-  const DeckFiles others = files_of(communicator);
-  const DeckFiles files = [&](const std::string& name) {
-    return name == file ? std::optional<std::string>(text) : others(name);
+Deck read_deck(const std::shared_ptr<InputFiles>& files, const std::string& file,
+               const std::vector<DeckChange>& changes, const DeckLanguage& language,
+               Diagnostics& diagnostics) {
+  // parse_xml sees by one byte more than is allowed that it is too much.
+  const DeckFiles texts = [&](const std::string& name) {
+    return files->read(name, deck_size_limit);
   };
-  return read_deck(files, file, changes, language, diagnostics);
+  Deck deck = read_deck(texts, file, changes, language, diagnostics);
+  deck.files = files;
+  return deck;
 }
 
 Deck read_deck(const Communicator& communicator, const std::string& file,

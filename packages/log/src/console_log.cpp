@@ -26,6 +26,8 @@ void ConsoleLog::note(const std::string& sentence) {
   if (tells()) terminal_.line(sentence);
 }
 
+void ConsoleLog::warn(const std::string& sentence) { terminal_.line(sentence, Colour::warning); }
+
 void ConsoleLog::start(const RunHeading& heading) {
   folder_ = heading.folder;
   start_ = std::chrono::steady_clock::now();

@@ -14,6 +14,7 @@ class ConsoleLog : public RunLog {
       : detail_(detail), start_(std::chrono::steady_clock::now()) {}
 
   void note(const std::string& sentence) override;
+  void warn(const std::string& sentence) override;
   void start(const RunHeading& heading) override;
   void solved(const NonlinearReport& report) override;
   void rejected(double time, double length, const std::string& why) override;

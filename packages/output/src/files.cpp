@@ -64,8 +64,10 @@ void try_room(const std::string& path, std::size_t bytes) {
   Descriptor(path, O_WRONLY | O_CREAT | O_TRUNC).reserve(bytes);
 }
 
+void sync(const std::string& path) { Descriptor(path, O_RDONLY).sync(); }
+
 void finish(const std::string& path) {
-  Descriptor(unfinished(path), O_RDONLY).sync();
+  sync(unfinished(path));
   if (std::rename(unfinished(path).c_str(), path.c_str()) != 0) throw_cannot("write", path, errno);
   // The new name is on disk only when its folder is.
   const std::string folder = std::filesystem::path(path).parent_path();

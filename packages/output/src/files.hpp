@@ -18,6 +18,9 @@ std::size_t room_for(GlobalIndex numbers);
 /// it refuses, whereas MPI-IO gives no reason, and on a full disk hangs when only some ranks fail.
 void try_room(const std::string& path, std::size_t bytes);
 
+/// Returns when the file's content is on disk.
+void sync(const std::string& path);
+
 /// Puts unfinished(path), already closed, safely on disk under its own name.
 void finish(const std::string& path);
 

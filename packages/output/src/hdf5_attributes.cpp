@@ -118,6 +118,35 @@ void Hdf5File::write_text(const std::string& name, const std::string& text) {
   require(done);
 }
 
+void Hdf5File::write_bytes(const std::string& name, const std::string& bytes) {
+  auto size = static_cast<unsigned long long>(bytes.size());
+  MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, communicator_.mpi());
+  const hsize_t sizes[] = {size};
+  const Hdf5Handle space(H5Screate_simple(1, sizes, nullptr), H5Sclose);
+  const Hdf5Handle data(H5Dcreate2(file_, name.c_str(), H5T_NATIVE_UCHAR, space, H5P_DEFAULT,
+                                   H5P_DEFAULT, H5P_DEFAULT),
+                        H5Dclose);
+  require(data.valid());
+  const bool done =
+      !communicator_.is_root() || size == 0 ||
+      H5Dwrite(data, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) >= 0;
+  require(done);
+}
+
+std::string Hdf5File::read_bytes(const std::string& name) const {
+  const Shape found = shape(name);
+  const Hdf5Handle data(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  require(data.valid());
+  std::string bytes;
+  bool done = true;
+  if (communicator_.is_root() && found.rows > 0) {
+    bytes.resize(static_cast<std::size_t>(found.rows));
+    done = H5Dread(data, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) >= 0;
+  }
+  require(done);
+  return bytes;
+}
+
 std::string Hdf5File::read_text(const std::string& name) const {
   const Hdf5Handle data(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
   require(data.valid());

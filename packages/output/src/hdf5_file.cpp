@@ -35,6 +35,11 @@ Hdf5Handle collective_transfer() {
 // Rows at ascending, distinct positions. MPI-IO wants file offsets to ascend.
 bool select(hid_t space, Hdf5File::Shape shape, const std::vector<GlobalIndex>& positions) {
   if (positions.empty()) return H5Sselect_none(space) >= 0;
+  if (positions.back() - positions.front() + 1 == static_cast<GlobalIndex>(positions.size())) {
+    const hsize_t start[] = {static_cast<hsize_t>(positions.front()), 0};
+    const hsize_t count[] = {positions.size(), static_cast<hsize_t>(shape.components)};
+    return H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr) >= 0;
+  }
   std::vector<hsize_t> entries;
   const auto components = static_cast<hsize_t>(shape.components);
   entries.reserve(positions.size() * components * 2);
@@ -87,10 +92,13 @@ Hdf5File::Hdf5File(const Communicator& communicator, std::string path, Hdf5Handl
   require(file_.valid());
 }
 
-Hdf5File Hdf5File::create(const Communicator& communicator, const std::string& path) {
+Hdf5File Hdf5File::create(const Communicator& communicator, const std::string& path,
+                          int free_bytes) {
   const Hdf5Handle access = parallel_access(communicator);
+  const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  H5Pset_userblock(creation, static_cast<hsize_t>(free_bytes));
   return {communicator, path,
-          Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose), true};
+          Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose), true};
 }
 
 Hdf5File Hdf5File::open(const Communicator& communicator, const std::string& path) {

@@ -29,6 +29,8 @@ class Hdf5Handle {
     id_ = H5I_INVALID_HID;
     return closed;
   }
+  /// Leaves it open for good.
+  void abandon() { id_ = H5I_INVALID_HID; }
   bool valid() const { return id_ >= 0; }
   operator hid_t() const { return id_; }
 
@@ -44,8 +46,17 @@ class Hdf5File {
     int components = 0;
   };
 
-  static Hdf5File create(const Communicator& communicator, const std::string& path);
+  /// The first `free_bytes` (0, or a power of 2 from 512 on) are left to the caller.
+  static Hdf5File create(const Communicator& communicator, const std::string& path,
+                         int free_bytes = 0);
   static Hdf5File open(const Communicator& communicator, const std::string& path);
+  Hdf5File(Hdf5File&&) = default;
+  /// A file that could not be written is left open: HDF5, asked twice to close what it cannot
+  /// flush, crashes over its own remains. It asks itself when MPI ends, so a program must end
+  /// without that.
+  ~Hdf5File() {
+    if (writes_) file_.abandon();
+  }
 
   /// A table [rows][components] (rank 1 for one component); this rank fills the rows at
   /// `positions`.
@@ -74,6 +85,9 @@ class Hdf5File {
   /// A text of any length as a dataset (an attribute ends at 64 KiB).
   void write_text(const std::string& name, const std::string& text);
   std::string read_text(const std::string& name) const;
+  /// Any bytes, of rank 0; nothing on the others.
+  void write_bytes(const std::string& name, const std::string& bytes);
+  std::string read_bytes(const std::string& name) const;
 
   /// Needed to learn of an error at closing; the destructor cannot tell.
   void close();

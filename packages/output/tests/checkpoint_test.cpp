@@ -22,7 +22,8 @@ double value(GlobalIndex id, int component) {
   return 1.0 / (3.0 + static_cast<double>(id)) + 100.0 * component;
 }
 
-void write_sample(const Communicator& all, const std::string& path) {
+void write_sample(const Communicator& all, const std::string& path,
+                  const std::vector<KeptFile>& files = {}, const std::string& previous = "") {
   CheckpointHeader header;
   header.step = 12;
   header.time = 120.5;
@@ -37,7 +38,7 @@ void write_sample(const Communicator& all, const std::string& path) {
     pressure.ids.push_back(id);
     pressure.values.push_back(value(id, 2));
   }
-  write_checkpoint(all, path, header, {displacement, pressure});
+  write_checkpoint(all, path, {header, {displacement, pressure}}, files, previous);
 }
 
 // Overwrites the first place where the file holds the given value.
@@ -89,12 +90,73 @@ TEST(Checkpoint, RefusesWhatItCannotTrust) {
 
   write_sample(all, "cut.h5");
   all.on_root([] { std::filesystem::resize_file("cut.h5", 3000); });
-  EXPECT_THAT(reading("cut.h5"), ThrowsMessage<OutputError>(HasSubstr("cannot read cut.h5")));
+  EXPECT_THAT(reading("cut.h5"), ThrowsMessage<OutputError>(HasSubstr("cut.h5 is damaged")));
 
   write_sample(all, "damaged.h5");
   all.on_root([] { damage("damaged.h5", value(5, 1)); });
   EXPECT_THAT(reading("damaged.h5"),
-              ThrowsMessage<OutputError>(HasSubstr("damaged.h5 is corrupt: array 'displacement'")));
+              ThrowsMessage<OutputError>("damaged.h5 is damaged: it is not what was written"));
+}
+
+TEST(Checkpoint, ThatHasAnyByteChangedIsRefused) {
+  const Communicator all;
+  write_sample(all, "whole.h5");
+  std::string whole;
+  {
+    std::ifstream file("whole.h5", std::ios::binary);
+    whole.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  const std::size_t stride = whole.size() / 97;  // no divisor of what is laid out in it
+  for (std::size_t at = 0; at < whole.size(); at += at < 200 ? 1 : stride) {
+    all.on_root([&] {
+      std::string changed = whole;
+      changed[at] = static_cast<char>(changed[at] ^ 1);
+      std::ofstream("changed.h5", std::ios::binary) << changed;
+    });
+    EXPECT_THROW(CheckpointReader(all, "changed.h5"), OutputError) << "byte " << at;
+  }
+}
+
+TEST(Checkpoint, HoldsFilesOfAnyBytes) {
+  const Communicator all;
+  const std::string bytes("\0binary\0\xff\n\0", 11);
+  std::vector<KeptFile> files;
+  if (all.is_root())
+    files = {{"../tables/track.csv", "/home/tables/track.csv", bytes}, {"empty", "", ""}};
+  write_sample(all, "files.h5", files);
+  const std::vector<KeptFile> found = CheckpointReader(all, "files.h5").files();
+  ASSERT_EQ(found.size(), all.is_root() ? 2u : 0u);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].name, files[i].name);
+    EXPECT_EQ(found[i].path, files[i].path);
+    EXPECT_EQ(found[i].text, files[i].text);
+  }
+}
+
+TEST(Checkpoint, TheOneBeforeIsKeptAndUsedWhenTheLastIsDamaged) {
+  const Communicator all;
+  const std::string before = previous_checkpoint("last.h5");
+  EXPECT_EQ(before, "last.previous.h5");
+  all.on_root([&] {
+    std::filesystem::remove("last.h5");
+    std::filesystem::remove(before);
+  });
+  write_sample(all, "last.h5", {}, before);
+  EXPECT_THROW(CheckpointReader(all, before), OutputError) << "there was none";
+  write_sample(all, "last.h5", {}, before);
+  EXPECT_EQ(CheckpointReader(all, before).header().step, 12);
+  EXPECT_EQ(open_checkpoint(all, "last.h5").damage, "");
+
+  all.on_root([] { damage("last.h5", value(5, 1)); });
+  const OpenedCheckpoint opened = open_checkpoint(all, "last.h5");
+  EXPECT_EQ(opened.reader->path(), before);
+  EXPECT_EQ(opened.damage, "last.h5 is damaged: it is not what was written");
+  all.on_root([] { std::filesystem::remove("last.h5"); });
+  EXPECT_THAT(open_checkpoint(all, "last.h5").damage, HasSubstr("No such file"));
+  all.on_root([&] { damage(before, value(5, 1)); });
+  EXPECT_THAT([&] { open_checkpoint(all, "last.h5"); },
+              ThrowsMessage<OutputError>(testing::AllOf(HasSubstr("No such file"),
+                                                        HasSubstr("last.previous.h5 is damaged"))));
 }
 
 TEST(Checkpoint, NamesWhatIsMissing) {

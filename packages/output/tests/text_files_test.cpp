@@ -74,20 +74,24 @@ TEST(ResultFolder, RefusesAnotherRunUnlessForced) {
   const Communicator all;
   all.on_root([] { std::filesystem::remove_all("results"); });
   const std::string path = "results/case/one";
-  const ResultFolder folder(all, path);
+  const auto file = [&](const char* name) { return path + "/" + name; };
+  const auto write = [&](const char* name, const char* text) {
+    all.on_root([&] { std::ofstream(file(name)) << text; });
+  };
+  EXPECT_NO_THROW(ResultFolder(all, path));
   EXPECT_NO_THROW(ResultFolder(all, path)) << "nothing in it";
   const auto expect_refused = [&](const std::string& sentence) {
     EXPECT_THAT([&] { ResultFolder(all, path); },
                 ThrowsMessage<OutputError>(HasSubstr(path + sentence)));
   };
-  folder.write("history.csv", "t\n");
+  write("history.csv", "t\n");
   expect_refused(" holds an unfinished run, without a checkpoint");
-  folder.write("checkpoint.h5", "");
+  write("checkpoint.h5", "");
   expect_refused(" holds an unfinished run; go on with: hawser restart " + path + "/checkpoint.h5");
-  folder.write("summary.json", "{}");
+  write("summary.json", "{}");
   expect_refused(" holds the results of another run");
 
-  const auto there = [&](const char* name) { return std::filesystem::exists(folder.file(name)); };
+  const auto there = [&](const char* name) { return std::filesystem::exists(file(name)); };
   EXPECT_NO_THROW(ResultFolder(all, path, ExistingResults::go_on));
   all.on_root([&] {
     EXPECT_FALSE(there("summary.json")) << "unfinished again";
@@ -96,6 +100,16 @@ TEST(ResultFolder, RefusesAnotherRunUnlessForced) {
   EXPECT_NO_THROW(ResultFolder(all, path, ExistingResults::replace));
   all.on_root(
       [&] { EXPECT_FALSE(there("checkpoint.h5")) << "it would be taken for one of the new run"; });
+}
+
+TEST(ResultFolder, HasOneRunAtATime) {
+  const Communicator all;
+  const ResultFolder folder(all, "results/locked", ExistingResults::replace);
+  for (const ExistingResults existing :
+       {ExistingResults::keep, ExistingResults::replace, ExistingResults::go_on})
+    EXPECT_THAT(
+        [&] { ResultFolder(all, "results/locked", existing); },
+        ThrowsMessage<OutputError>(HasSubstr("results/locked is in use by a run: process")));
 }
 
 TEST(ResultFolder, SaysWhyItCannotBeWritten) {

@@ -1,40 +1,17 @@
 #include "hawser/simulation/case.hpp"
 
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/run_deck.hpp"
+#include "src/kept_case.hpp"
+#include "src/plugins.hpp"
 
 namespace hawser {
 namespace {
-
-void load_plugins(const Environment& environment, const std::vector<PluginDeck>& plugins,
-                  Registries& registries) {
-  for (const PluginDeck& plugin : plugins)
-    environment.communicator().together([&] {
-      try {
-        load_plugin(plugin.name.value, environment.plugin_folder, registries);
-      } catch (const PluginError& error) {
-        throw PluginError(plugin.name.location.text() + ": " + error.what());
-      }
-    });
-}
-
-std::vector<PhysicsModule> modules_of(const Deck& text, const RunDeck& deck,
-                                      const ModuleRegistry& registry, Diagnostics& diagnostics) {
-  std::vector<PhysicsModule> modules;
-  for (const DeckNode& node : deck.modules.modules) {
-    if (!is_known_child(node, "modules", registry.tags(), diagnostics)) continue;
-    modules.push_back(registry.find(node.tag)->make(node, {deck.mesh.dimension()}, diagnostics));
-    modules.back().location = node.location;
-  }
-  if (modules.empty() && diagnostics.ok())
-    diagnostics.error(text.root.find_child("modules")->location,
-                      "<modules> is empty; there are " + listed(registry.tags()));
-  return modules;
-}
 
 std::vector<PlannedReport> plan_reports(const RunDeck& deck, const ReportRegistry& registry,
                                         Diagnostics& diagnostics) {
@@ -68,24 +45,41 @@ struct Case::Content {
   Deck text;
   RunDeck deck;
   std::vector<PlannedReport> reports{};
+  std::vector<DeckChange> changes{};
   std::unique_ptr<CheckpointReader> checkpoint{};
-  std::string home{};
+  std::string home{}, damage{};
   std::optional<double> end{}, end_of_deck{};
+  PluginOfTag plugins{};
+
+  std::vector<PhysicsModule> make_modules(Diagnostics& diagnostics) const {
+    return hawser::make_modules(text, deck, registries.modules, plugins, diagnostics);
+  }
 };
 
 Case::Case(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
 
-std::shared_ptr<Case::Content> Case::read(const Environment& environment, Deck text,
-                                          const CaseOptions& options, Diagnostics& diagnostics) {
+std::shared_ptr<Case::Content> Case::read(const Environment& environment,
+                                          const std::shared_ptr<InputFiles>& files,
+                                          const std::string& deck, std::vector<DeckChange> changes,
+                                          const CaseOptions& options) {
+  Diagnostics diagnostics;
+  Deck text = read_deck(files, deck, changes, deck_language(environment.registries), diagnostics);
   auto content = std::make_shared<Content>(
       Content{environment.communicator(), environment.registries, std::move(text), RunDeck()});
+  content->changes = std::move(changes);
   content->end = options.end;
   content->deck = RunDeck::spec().read(content->text.root, diagnostics);
   const double end = content->deck.time.end;
   if (options.end && *options.end < end) content->end_of_deck = end;
+  if (options.end) set_end(content->text.root, *options.end);
   complete(content->deck, content->text, options);
-  load_plugins(environment, content->deck.plugins, content->registries);
-  modules_of(content->text, content->deck, content->registries.modules, diagnostics);
+  const Communicator& communicator = environment.communicator();
+  const std::vector<PluginDeck>& plugins = content->deck.plugins;
+  rehearse_plugins(communicator, environment.plugin_folder, plugins, content->registries,
+                   &content->text, &content->deck);
+  content->plugins =
+      load_plugins(communicator, environment.plugin_folder, plugins, content->registries);
+  communicator.together([&] { content->make_modules(diagnostics); });
   content->reports = plan_reports(content->deck, content->registries.reports, diagnostics);
   const auto& equilibrium = content->deck.start.equilibrium;
   if (equilibrium && equilibrium->continuation)
@@ -96,40 +90,40 @@ std::shared_ptr<Case::Content> Case::read(const Environment& environment, Deck t
 
 Case Case::from_file(const Environment& environment, const std::string& deck,
                      const CaseOptions& options) {
-  Diagnostics diagnostics;
-  return Case(read(environment,
-                   read_deck(environment.communicator(), deck, options.changes,
-                             deck_language(environment.registries), diagnostics),
-                   options, diagnostics));
+  return Case(read(environment, std::make_shared<InputFiles>(environment.communicator()), deck,
+                   options.changes, options));
 }
 
 Case Case::from_text(const Environment& environment, const std::string& text,
                      const std::string& name, const CaseOptions& options) {
-  Diagnostics diagnostics;
+  InputFiles::Kept given = {{name, {"", text}}};
   return Case(read(environment,
-                   read_deck_text(environment.communicator(), text, name, options.changes,
-                                  deck_language(environment.registries), diagnostics),
-                   options, diagnostics));
+                   std::make_shared<InputFiles>(environment.communicator(), std::move(given)), name,
+                   options.changes, options));
 }
 
 Case Case::from_checkpoint(const Environment& environment, const std::string& file,
                            const CaseOptions& options) {
-  if (!options.changes.empty())
-    throw Error(ExitCode::usage, file +
-                                     ": the deck in a checkpoint stays as it is; the end alone "
-                                     "may be another");
-  auto checkpoint = std::make_unique<CheckpointReader>(environment.communicator(), file);
-  const CheckpointHeader& header = checkpoint->header();
   Diagnostics diagnostics;
-  const auto content = read(
-      environment, parse_deck(header.texts.at("deck"), header.texts.at("deck_file"), diagnostics),
-      options, diagnostics);
+  check_restart(options.changes, diagnostics);
+  diagnostics.throw_if_any();
+  OpenedCheckpoint checkpoint = open_checkpoint(environment.communicator(), file);
+  const CheckpointHeader& header = checkpoint.reader->header();
+  CaseOptions now = options;
+  const auto end = header.numbers.find("end_s");
+  if (!now.end && end != header.numbers.end() && !sets_end(options.changes)) now.end = end->second;
+  const auto content =
+      read(environment,
+           std::make_shared<InputFiles>(environment.communicator(), kept_files(*checkpoint.reader)),
+           header.texts.at("deck_file"), joined(kept_changes(header), options.changes), now);
   const TimeDeck& time = content->deck.time;
   if (StepControl(time, {}).finished(header.time))
-    throw Error(ExitCode::usage, file + " is at t = " + write_value(header.time) +
+    throw Error(ExitCode::usage, checkpoint.reader->path() +
+                                     " is at t = " + write_value(header.time) +
                                      " s, and the run ends at " + write_value(time.end) +
                                      " s: nothing is left to do; --end sets a later end");
-  content->checkpoint = std::move(checkpoint);
+  content->checkpoint = std::move(checkpoint.reader);
+  content->damage = checkpoint.damage;
   content->home = std::filesystem::absolute(file).parent_path().string();
   return Case(content);
 }
@@ -138,18 +132,27 @@ Case Case::changed(const std::vector<DeckChange>& changes) const {
   Diagnostics diagnostics;
   auto content = std::make_shared<Content>(
       Content{communicator(), content_->registries,
-              read_deck_text(communicator(), text().text, text().file, changes,
-                             deck_language(content_->registries), diagnostics),
+              read_deck(text().files, text().file, joined(content_->changes, changes),
+                        deck_language(content_->registries), diagnostics),
               RunDeck()});
   content->end = content_->end;
   content->deck = RunDeck::spec().read(content->text.root, diagnostics);
   complete(content->deck, content->text, {{}, content->end, false});
-  modules_of(content->text, content->deck, content->registries.modules, diagnostics);
+  content->plugins = content_->plugins;
+  content->make_modules(diagnostics);
   content->reports = plan_reports(content->deck, content->registries.reports, diagnostics);
   diagnostics.throw_if_any();
   return Case(content);
 }
 
+void Case::save(CheckpointHeader& header, std::vector<KeptFile>& files) const {
+  header.texts["deck_file"] = text().file;
+  keep_changes(content_->changes, header);
+  if (end()) header.numbers["end_s"] = *end();
+  files = files_to_keep(text().files->kept());
+}
+
+const std::string& Case::damage() const { return content_->damage; }
 const Communicator& Case::communicator() const { return content_->communicator; }
 const Deck& Case::text() const { return content_->text; }
 const RunDeck& Case::deck() const { return content_->deck; }
@@ -165,18 +168,23 @@ std::string Case::resolved_deck() const {
 
 std::vector<PhysicsModule> Case::make_modules() const {
   Diagnostics diagnostics;
-  return modules_of(text(), deck(), content_->registries.modules, diagnostics);
+  return content_->make_modules(diagnostics);
 }
 
 const std::vector<PlannedReport>& Case::reports() const { return content_->reports; }
 
 ProvidedMesh provide_mesh(const Case& run_case, const std::string& place) {
   const MeshDeck& mesh = run_case.deck().mesh;
-  // A restarted run uses the very mesh of the run that it continues.
-  if (const CheckpointReader* const checkpoint = run_case.checkpoint())
-    return {
-        (std::filesystem::path(run_case.home()) / checkpoint->header().texts.at("mesh")).string(),
-        {}};
+  if (run_case.checkpoint()) {  // the very mesh of the run that goes on
+    ProvidedMesh kept{"", "", std::make_shared<ScratchFolder>(run_case.communicator())};
+    kept.file = kept.scratch->path() + "/mesh.msh";
+    run_case.communicator().on_root([&] {
+      std::ofstream file(kept.file, std::ios::binary);
+      file << run_case.text().files->kept().at(kept_mesh).text;
+      if (!file.flush()) throw OutputError("cannot write " + kept.file);
+    });
+    return kept;
+  }
   if (mesh.file) return {path_beside(run_case.text(), mesh.file->name), {}};
   try {
     return {place, mesh.generate(run_case.communicator(), place)};

@@ -5,6 +5,7 @@
 #include "hawser/algebra/parallel_runtime.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/installation.hpp"
+#include "src/plugins.hpp"
 
 namespace hawser {
 Environment::Environment() : Environment(MPI_COMM_WORLD) {}
@@ -22,7 +23,9 @@ std::string Environment::plugins_beside() {
 }
 
 void Environment::load_plugin(const std::string& name) {
-  communicator_.together([&] { hawser::load_plugin(name, plugin_folder, registries); });
+  const std::vector<PluginDeck> plugins = {{{name, {}}}};
+  rehearse_plugins(communicator_, plugin_folder, plugins, registries);
+  load_plugins(communicator_, plugin_folder, plugins, registries);
 }
 
 int Environment::guarded(const std::function<int()>& work) const {

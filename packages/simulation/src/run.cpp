@@ -52,11 +52,13 @@ class Run {
         signals_(run_case.communicator()),
         folder_(run_case.communicator(), output, existing_results(run_case, output, options.force)),
         log_(make_run_log(run_case.communicator(), options.detail, options.log_json)),
-        teller_(*log_) {
+        teller_(*log_),
+        stop_after_(options.stop_after) {
     const auto lap = setup_watch_.lap();
-    const ProvidedMesh mesh = provide_mesh(case_, folder_.file("mesh.msh"));
+    warn_of_what_changed();
+    ProvidedMesh mesh = provide_mesh(case_, folder_.file("mesh.msh"));
     if (!mesh.made.empty()) log_->note(mesh.made);
-    stepper_ = std::make_unique<Stepper>(case_, mesh.file);
+    stepper_ = std::make_unique<Stepper>(case_, std::move(mesh));
     for (const std::string& sentence : stepper_->notes())
       log_->note(sentence);
     if (!is_judged() && !case_.deck().expectations.empty())
@@ -71,7 +73,16 @@ class Run {
   }
 
   Summary to_the_end() {
-    step_to_the_end();
+    try {
+      step_to_the_end();
+      return summarise();
+    } catch (const OutputError& error) {
+      keep_state(error);
+    }
+  }
+
+ private:
+  Summary summarise() {
     Summary summary = stepper_->summary();
     if (!stepper_->notes().empty()) summary.set("notes", stepper_->notes());
     add_timings(summary);
@@ -85,7 +96,6 @@ class Run {
     return summary;
   }
 
- private:
   bool is_judged() const { return !case_.end_of_deck(); }
 
   RunHeading heading() const {
@@ -103,18 +113,70 @@ class Run {
     return heading;
   }
 
+  void warn_of_what_changed() {
+    if (case_.checkpoint() == nullptr) return;
+    if (!case_.damage().empty())
+      log_->warn(case_.damage() + "; going on from the checkpoint before it, " +
+                 case_.checkpoint()->path() +
+                 ", t = " + write_value(case_.checkpoint()->header().time) + " s");
+    for (const std::string& file :
+         InputFiles::edited(case_.communicator(), case_.text().files->kept()))
+      log_->warn(file +
+                 " has changed since the run began; the run goes on with what it read then, "
+                 "which is kept in the checkpoint");
+  }
+
   void step_to_the_end() {
     const auto lap = run_watch_.lap();
     while (!stepper_->finished()) {
-      obey(signals_.take());
+      obey(asked());
       try {
-        stepper_->advance();
+        step();
       } catch (const SolveError& error) {
         if (case_.deck().time.single_solve()) throw;
         throw SolveError(std::string(error.what()) + ", the last accepted state is in " +
                          record_->save_checkpoint(*stepper_));
       }
     }
+  }
+
+  void step() {
+    remember_state();
+    stepper_->advance();
+  }
+
+  /// Not at every one of many short steps.
+  void remember_state() {
+    constexpr double rarely = 1;  // s
+    const bool due = !before_ || clock_.seconds() - remembered_ > rarely;
+    if (!case_.communicator().any(case_.communicator().is_root() && due)) return;
+    before_ = stepper_->state();
+    remembered_ = clock_.seconds();
+  }
+
+  /// Results that cannot be written are no reason to lose the state that they are of: it is kept
+  /// from before the step, so that the run that goes on writes them.
+  [[noreturn]] void keep_state(const OutputError& error) {
+    const bool newer = before_ && before_->header.step > record_->kept_step();
+    try {
+      if (newer) record_->save_checkpoint(*stepper_, std::move(*before_));
+    } catch (const OutputError&) {  // the one that is there stays
+    }
+    const std::string checkpoint = record_->kept_checkpoint();
+    throw OutputError(error.what() +
+                      (checkpoint.empty()
+                           ? "; no checkpoint can be written, either"
+                           : "; when that is mended, go on with: hawser restart " + checkpoint));
+  }
+
+  /// The time is up for all ranks when it is for rank 0.
+  Request asked() const {
+    Request request = signals_.take();
+    if (request.kind == Request::Kind::stop || !stop_after_) return request;
+    const bool up = clock_.seconds() >= *stop_after_;
+    if (case_.communicator().any(case_.communicator().is_root() && up))
+      request = {Request::Kind::stop, "--stop-after"};
+    return request;
   }
 
   void obey(const Request& request) {
@@ -124,8 +186,7 @@ class Run {
     if (request.kind == Request::Kind::checkpoint)
       return log_->note(request.signal + ": checkpoint of " + time + " in " + checkpoint);
     throw Error(ExitCode::stopped, "stopped by " + request.signal + " at " + time +
-                                       "; go on with: hawser restart " + checkpoint +
-                                       (case_.end() ? " --end " + write_value(*case_.end()) : ""));
+                                       "; go on with: hawser restart " + checkpoint);
   }
 
   void add_timings(Summary& summary) const {
@@ -154,6 +215,10 @@ class Run {
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<RunRecord> record_;
   Stopwatch setup_watch_, run_watch_;
+  std::optional<double> stop_after_;  // s
+  const Clock clock_;
+  std::optional<Checkpoint> before_;  // the step
+  double remembered_ = 0;             // s, at which it was
 };
 
 }  // namespace

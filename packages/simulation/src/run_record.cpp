@@ -1,5 +1,7 @@
 #include "src/run_record.hpp"
 
+#include <filesystem>
+
 #include "hawser/simulation/run_deck.hpp"
 
 namespace hawser {
@@ -24,6 +26,11 @@ RunRecord::RunRecord(Stepper& stepper, const ResultFolder& folder, RunLog& log)
       fields_(*stepper.system().assembler, stepper.system().modules,
               stepper.system().reports->all(), folder.path(),
               stepper.run_case().checkpoint() ? stepper.steps() : -1) {
+  const CheckpointReader* const from = stepper.run_case().checkpoint();
+  const auto place = [](const std::string& path) {
+    return std::filesystem::absolute(path).lexically_normal();
+  };
+  if (from != nullptr && place(from->path()) == place(file())) kept_step_ = from->header().step;
   const State state = state_of(stepper.system().integrator->history());
   stepper.system().reports->start(
       {folder.path(), state, stepper.run_case().checkpoint() != nullptr});
@@ -46,10 +53,16 @@ void RunRecord::attempted(Stepper& stepper, const Attempt& attempt) {
 }
 
 std::string RunRecord::save_checkpoint(Stepper& stepper) {
-  std::string path = folder_.file("checkpoint.h5");
-  stepper.save(path);
+  stepper.save(file(), place_of_present());
+  kept_step_ = stepper.steps();
   log_.wrote("checkpoint", stepper.steps(), stepper.time());
-  return path;
+  return file();
+}
+
+void RunRecord::save_checkpoint(const Stepper& stepper, Checkpoint state) {
+  const int step = state.header.step;
+  stepper.save(std::move(state), file(), place_of_present());
+  kept_step_ = step;
 }
 
 }  // namespace hawser

@@ -13,6 +13,7 @@
 #include "hawser/time/switched_solve.hpp"
 #include "src/continuation.hpp"
 #include "src/equilibrium.hpp"
+#include "src/kept_case.hpp"
 #include "src/system.hpp"
 
 namespace hawser {
@@ -33,20 +34,21 @@ std::string advice(const std::string& why) {
 
 Stepper::Stepper(const Case& run_case)
     : case_(run_case), scratch_(std::make_unique<ScratchFolder>(run_case.communicator())) {
-  const ProvidedMesh mesh = provide_mesh(case_, scratch_->path() + "/mesh.msh");
-  if (mesh.made.empty()) scratch_.reset();
-  build(mesh.file);
+  mesh_ = provide_mesh(case_, scratch_->path() + "/mesh.msh");
+  build();
 }
 
-Stepper::Stepper(const Case& run_case, const std::string& mesh_file) : case_(run_case) {
-  build(mesh_file);
+Stepper::Stepper(const Case& run_case, ProvidedMesh mesh)
+    : case_(run_case), mesh_(std::move(mesh)) {
+  build();
 }
 
 Stepper::~Stepper() = default;
 
-void Stepper::build(const std::string& mesh_file) {
-  mesh_file_ = std::filesystem::absolute(mesh_file).string();
-  system_ = build_system(case_, mesh_file);
+void Stepper::build() {
+  system_ = build_system(case_, mesh_.file);
+  mesh_.file = std::filesystem::absolute(mesh_.file).string();
+  case_.text().files->keep(kept_mesh, mesh_.file, scratch_ ? "" : mesh_.file);
   const TimeDeck& time_deck = case_.deck().time;
   control_ = std::make_unique<StepControl>(
       time_deck, time_deck.steady() ? std::vector<double>() : system_->conditions->events());
@@ -55,8 +57,10 @@ void Stepper::build(const std::string& mesh_file) {
   const CheckpointHeader& header = checkpoint->header();
   system_->integrator->resume(load_history(*system_->dofs, *checkpoint));
   load_memories(system_->mesh, *checkpoint, system_->assembler->memories());
-  control_->resume(header.numbers.at("control_step_s"),
-                   static_cast<int>(header.numbers.at("control_successes")));
+  // A step that the user changes for the rest of the run counts from here on.
+  if (header.numbers.at("deck_step_s") == time_deck.step)
+    control_->resume(header.numbers.at("control_step_s"),
+                     static_cast<int>(header.numbers.at("control_successes")));
   system_->reports->resume(header);
   if (system_->energy) system_->energy->resume(header.part("energy."));
   number_ = header.step;
@@ -97,7 +101,7 @@ void Stepper::find_equilibrium() {
       observer->starting(*this, solve);
   };
   problem.state() = wanted.continuation
-                        ? continue_equilibrium(case_, mesh_file_, *system_, options, tell)
+                        ? continue_equilibrium(case_, mesh_.file, *system_, options, tell)
                         : hawser::find_equilibrium(*system_, options, tell);
   problem.start();
   if (system_->energy) system_->energy->start(problem.state());
@@ -232,36 +236,32 @@ FieldValues Stepper::field(const std::string& name) const {
   return result;
 }
 
-void Stepper::save(const std::string& checkpoint) {
-  namespace fs = std::filesystem;
-  const Communicator& communicator = case_.communicator();
-  const fs::path folder = fs::absolute(checkpoint).parent_path();
-  fs::path mesh = mesh_file_;
-  if (scratch_) {
-    mesh = fs::absolute(checkpoint).replace_extension(".msh");
-    communicator.on_root([&] {
-      std::error_code failed;
-      fs::copy_file(mesh_file_, mesh, fs::copy_options::overwrite_existing, failed);
-      if (failed) throw OutputError("cannot write " + mesh.string() + ": " + failed.message());
-    });
-  }
+Checkpoint Stepper::state() const {
   CheckpointHeader header;
   header.step = number_;
   header.numbers["control_step_s"] = control_->step();
   header.numbers["control_successes"] = control_->successes();
+  header.numbers["deck_step_s"] = case_.deck().time.step;
   header.numbers["start_newton_iterations"] = static_cast<double>(start_iterations_);
   system_->reports->save(header);
   if (system_->energy) header.add("energy.", system_->energy->save());
-  header.texts["deck"] = case_.text().text;
-  header.texts["deck_file"] = case_.text().file;
-  Summary provenance;
-  add_provenance(communicator, provenance);
-  header.texts["provenance"] = provenance.object("provenance").json();
-  // A mesh beside the checkpoint is named without its folder, so that both can be moved.
-  header.texts["mesh"] = (mesh.parent_path() == folder ? mesh.filename() : mesh).string();
-  save_history(*system_->dofs, system_->integrator->history(), system_->assembler->memories(),
-               header, checkpoint);
+  return checkpoint_of(*system_->dofs, system_->integrator->history(),
+                       system_->assembler->memories(), std::move(header));
+}
+
+void Stepper::save(const std::string& checkpoint, const std::string& previous) {
+  save(state(), checkpoint, previous);
   system_->driver->forget();
+}
+
+void Stepper::save(Checkpoint state, const std::string& checkpoint,
+                   const std::string& previous) const {
+  Summary provenance;
+  add_provenance(case_.communicator(), provenance);
+  state.header.texts["provenance"] = provenance.object("provenance").json();
+  std::vector<KeptFile> files;
+  case_.save(state.header, files);
+  write_checkpoint(case_.communicator(), checkpoint, state, files, previous);
 }
 
 }  // namespace hawser

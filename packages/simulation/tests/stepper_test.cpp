@@ -10,6 +10,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/run.hpp"
+#include "hawser/simulation/run_deck.hpp"
 #include "sample_deck.hpp"
 
 namespace hawser {
@@ -121,8 +122,12 @@ TEST_F(StepperTest, GoesOnFromWhatItSaved) {
   for (int i = 0; i < 3; ++i)
     stepper.advance();
   stepper.save("half.h5");
-  EXPECT_THROW(Case::from_checkpoint(environment_, "half.h5", {{{"time/step", "1"}}, {}, true}),
-               Error);
+  for (const char* path : {"amplitude", "time/scheme", "modules/cable/mass-per-length"})
+    EXPECT_THAT(
+        [&] {
+          Case::from_checkpoint(environment_, "half.h5", {{{path, "1"}}, {}, true});
+        },
+        testing::ThrowsMessage<DeckError>(testing::HasSubstr("a run that goes on keeps its ")));
   Stepper second(Case::from_checkpoint(environment_, "half.h5"));
   EXPECT_EQ(second.steps(), 3);
   EXPECT_EQ(second.time(), stepper.time());
@@ -130,6 +135,29 @@ TEST_F(StepperTest, GoesOnFromWhatItSaved) {
   step_to_the_end(stepper);
   step_to_the_end(second);
   EXPECT_EQ(second.quantities(), stepper.quantities());
+}
+
+TEST_F(StepperTest, MayChangeItsStepAndItsEndOnTheWay) {
+  const Case run_case = string();
+  const double end = run_case.deck().time.end, step = run_case.deck().time.step;
+  Stepper stepper(run_case);
+  stepper.advance();
+  stepper.save("changing.h5");
+  const CaseOptions longer{{{"time/step", write_value(step / 2)}}, 2 * end, true};
+  Stepper second(Case::from_checkpoint(environment_, "changing.h5", longer));
+  EXPECT_EQ(second.run_case().deck().time.end, 2 * end);
+  EXPECT_NEAR(second.advance().length, step / 2, 1e-12 * step);
+  second.save("changed.h5");
+  // What was changed once stays so, and is to be read in the deck.
+  const Case third = Case::from_checkpoint(environment_, "changed.h5");
+  EXPECT_EQ(third.end(), 2 * end);
+  EXPECT_THAT(third.resolved_deck(), testing::HasSubstr("end=\"" + write_value(2 * end) + "\""));
+  EXPECT_EQ(third.deck().time.step, step / 2);
+  EXPECT_EQ(Case::from_checkpoint(environment_, "changed.h5",
+                                  {{{"time/end", write_value(3 * end)}}, {}, true})
+                .deck()
+                .time.end,
+            3 * end);
 }
 
 TEST_F(StepperTest, StepsOnAnAdoptedCommunicator) {

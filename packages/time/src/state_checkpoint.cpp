@@ -141,9 +141,8 @@ std::set<std::string> names_of_fields(const CheckpointReader& reader) {
 
 }  // namespace
 
-void save_history(const DofMap& dofs, const TimeHistory& history,
-                  const std::vector<CellMemory*>& memories, CheckpointHeader header,
-                  const std::string& path) {
+Checkpoint checkpoint_of(const DofMap& dofs, const TimeHistory& history,
+                         const std::vector<CellMemory*>& memories, CheckpointHeader header) {
   std::vector<NamedArray> arrays;
   visit_arrays(dofs, dofs.owned(),
                [&](const std::string& name, const Part& part, int field, PointKind kind,
@@ -158,7 +157,7 @@ void save_history(const DofMap& dofs, const TimeHistory& history,
   header.numbers["history_step_s"] = history.step;
   header.numbers["history_earlier_step_s"] = history.earlier_step;
   header.numbers["history_instant_s"] = history.instant;
-  write_checkpoint(dofs.mesh().communicator, path, header, arrays);
+  return {std::move(header), std::move(arrays)};
 }
 
 TimeHistory load_history(const DofMap& dofs, const CheckpointReader& reader) {

@@ -32,7 +32,7 @@ TEST(StateCheckpoint, HoldsFieldsOnAPartOfTheMesh) {
   }
   CheckpointHeader header;
   header.step = 6;
-  save_history(dofs, saved, {}, header, "part.h5");
+  write_checkpoint(mesh.communicator, "part.h5", checkpoint_of(dofs, saved, {}, header));
   const TimeHistory loaded = load_history(dofs, CheckpointReader(mesh.communicator, "part.h5"));
   EXPECT_EQ(loaded.time, 3);
   EXPECT_EQ(loaded.step, 0.5);
@@ -82,7 +82,8 @@ TEST(StateCheckpoint, HoldsWhatCellsRememberByTheirNumbers) {
   TimeHistory history;
   for (auto* array : {&history.value, &history.rate, &history.quotient, &history.earlier_rate})
     array->assign(static_cast<std::size_t>(saved.dofs.rows()), 0);
-  save_history(saved.dofs, history, saved.assembler.memories(), {}, "memory.h5");
+  write_checkpoint(saved.mesh.communicator, "memory.h5",
+                   checkpoint_of(saved.dofs, history, saved.assembler.memories(), {}));
   const CheckpointReader reader(saved.mesh.communicator, "memory.h5");
   EXPECT_EQ(reader.global_count("memory-creep-1"), 32);  // of the body; the others hold zeros
   EXPECT_EQ(reader.global_count("memory-wear-2"), 4);
@@ -99,7 +100,8 @@ TEST(StateCheckpoint, OfKernelsThatRememberedNothingIsRefused) {
   TimeHistory history;
   for (auto* array : {&history.value, &history.rate, &history.quotient, &history.earlier_rate})
     array->assign(static_cast<std::size_t>(sample.dofs.rows()), 0);
-  save_history(sample.dofs, history, {}, {}, "forgetful.h5");
+  write_checkpoint(sample.mesh.communicator, "forgetful.h5",
+                   checkpoint_of(sample.dofs, history, {}, {}));
   const CheckpointReader reader(sample.mesh.communicator, "forgetful.h5");
   EXPECT_THAT([&] { load_memories(sample.mesh, reader, sample.assembler.memories()); },
               testing::ThrowsMessage<OutputError>(

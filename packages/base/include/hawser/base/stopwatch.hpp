@@ -27,4 +27,15 @@ class Stopwatch {
   double seconds_ = 0;
 };
 
+/// Wall time since it was made. Ranks must agree before they act on it.
+class Clock {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace hawser

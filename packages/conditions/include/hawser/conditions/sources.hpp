@@ -51,7 +51,8 @@ struct TableSource : SourceDeck<TableSource, std::string> {
   static Spec<ConditionDeck> declare(Spec<ConditionDeck> spec);
   void complete(const Deck& text);
   std::shared_ptr<const ValueSource> make(const SourceContext& context) const;
-  std::string file;  ///< where it is, should what is given be no <table>
+  std::string file;                        ///< where it is, should what is given be no <table>
+  std::shared_ptr<InputFiles> files = {};  ///< of the deck
 };
 
 struct TrackSource : SourceDeck<TrackSource, std::string> {

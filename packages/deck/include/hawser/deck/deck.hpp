@@ -6,6 +6,7 @@
 
 #include "hawser/base/communicator.hpp"
 #include "hawser/deck/diagnostics.hpp"
+#include "hawser/deck/input_files.hpp"
 #include "hawser/deck/location.hpp"
 #include "hawser/deck/named_value.hpp"
 
@@ -32,6 +33,8 @@ struct Deck {
   std::string file;
   std::string text;  ///< as read; of a deck that extends or was changed, the merged one
   DeckNode root;
+  /// From which it was read, and from which what it names is to be read; null for a text alone.
+  std::shared_ptr<InputFiles> files = {};
 };
 
 constexpr std::size_t deck_size_limit = 16u << 20;  ///< bytes

@@ -39,11 +39,10 @@ Deck read_deck(const Communicator& communicator, const std::string& file,
                const std::vector<DeckChange>& changes, const DeckLanguage& language,
                Diagnostics& diagnostics);
 
-/// The same for a text that all ranks have; `file` stands for it in messages, and what it extends
-/// lies beside that.
-Deck read_deck_text(const Communicator& communicator, const std::string& text,
-                    const std::string& file, const std::vector<DeckChange>& changes,
-                    const DeckLanguage& language, Diagnostics& diagnostics);
+/// The same with the files from there; the deck keeps them.
+Deck read_deck(const std::shared_ptr<InputFiles>& files, const std::string& file,
+               const std::vector<DeckChange>& changes, const DeckLanguage& language,
+               Diagnostics& diagnostics);
 
 /// The same on one rank, with the files' texts from anywhere.
 Deck read_deck(const DeckFiles& files, const std::string& file,

@@ -31,6 +31,8 @@ class RunLog {
  public:
   virtual ~RunLog() = default;
   virtual void note(const std::string& /*sentence*/) {}
+  /// A note that is told even where nothing but what went wrong is.
+  virtual void warn(const std::string& sentence) { note(sentence); }
   virtual void start(const RunHeading& /*heading*/) {}
   /// Newton's method for the step that is told next.
   virtual void solved(const NonlinearReport& /*report*/) {}

@@ -33,17 +33,37 @@ struct NamedArray {
   std::vector<double> values;    ///< [entry][component]
 };
 
-/// All or nothing: a file already at `path` is replaced only when the new one is safely on disk.
-/// Collective; OutputError on all ranks.
-void write_checkpoint(const Communicator& communicator, const std::string& path,
-                      const CheckpointHeader& header, const std::vector<NamedArray>& arrays);
+/// A file that the run has read, such as a table; of rank 0 alone.
+struct KeptFile {
+  std::string name;  ///< as the run asks for it
+  std::string path;  ///< absolute; empty when it never was a file
+  std::string text;
+};
 
-/// Opening checks that the file is a complete checkpoint whose values are what was written.
+/// What is in one, but for the files that the run has read.
+struct Checkpoint {
+  CheckpointHeader header;
+  std::vector<NamedArray> arrays;
+};
+
+/// All or nothing: a file already at `path` is replaced only when the new one is safely on disk and
+/// was read again without a fault; it goes to `previous`, unless that is empty. Collective;
+/// OutputError on all ranks.
+void write_checkpoint(const Communicator& communicator, const std::string& path,
+                      const Checkpoint& checkpoint, const std::vector<KeptFile>& files = {},
+                      const std::string& previous = "");
+
+/// Where the one before `path` is kept.
+std::string previous_checkpoint(const std::string& path);
+
+/// Opening checks that every byte of the file, and every value in it, is what was written.
 /// All members are collective; OutputError on all ranks.
 class CheckpointReader {
  public:
   CheckpointReader(const Communicator& communicator, const std::string& path);
   ~CheckpointReader();
+
+  const std::string& path() const { return path_; }
 
   const CheckpointHeader& header() const { return header_; }
   bool has(const std::string& name) const;
@@ -54,10 +74,22 @@ class CheckpointReader {
   std::vector<double> read(const std::string& name, const std::vector<GlobalIndex>& ids,
                            int components) const;
 
+  /// All of them, on rank 0; empty on the others.
+  std::vector<KeptFile> files() const;
+
  private:
   class File;
+  std::string path_;
   std::unique_ptr<File> file_;
   CheckpointHeader header_;
 };
+
+/// The checkpoint at `path`, or, when it is damaged or gone, the one before it.
+struct OpenedCheckpoint {
+  std::unique_ptr<CheckpointReader> reader;
+  std::string damage;  ///< of the one that was asked for; empty when that was opened
+};
+/// Collective; OutputError on all ranks when neither can be trusted.
+OpenedCheckpoint open_checkpoint(const Communicator& communicator, const std::string& path);
 
 }  // namespace hawser

@@ -1,5 +1,6 @@
 #pragma once
 // The folder that a run writes into.
+#include <memory>
 #include <string>
 
 #include "hawser/base/communicator.hpp"
@@ -13,12 +14,17 @@ enum class ExistingResults {
   go_on     ///< this run continues that one
 };
 
+class RunLock;
+
 class ResultFolder {
  public:
-  /// Makes the folder and its parents and checks that it can be written. Collective; OutputError on
-  /// all ranks.
+  /// Makes the folder and its parents, checks that it can be written, and locks it: no other run
+  /// has it before this is gone. Collective; OutputError on all ranks.
   ResultFolder(const Communicator& communicator, std::string path,
                ExistingResults existing = ExistingResults::keep);
+  ~ResultFolder();
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
 
   const std::string& path() const { return path_; }
   std::string file(const std::string& name) const { return path_ + "/" + name; }
@@ -29,6 +35,7 @@ class ResultFolder {
  private:
   Communicator communicator_;
   std::string path_;
+  std::unique_ptr<RunLock> lock_;  // rank 0's
 };
 
 }  // namespace hawser

@@ -136,7 +136,14 @@ struct PhysicsModule {
   std::string name;
   std::string block;  ///< fluid, structure, mesh or a name of its own
   std::vector<std::unique_ptr<Kernel>> kernels;
-  Location location{};  ///< of its element in the deck, for complaints that need the mesh
+  Location location{};   ///< of its element in the deck, for complaints that need the mesh
+  std::string plugin{};  ///< that it comes from; empty for what is built in
 };
+
+/// "module 'heat' of plug-in 'warmth'".
+inline std::string named(const PhysicsModule& module) {
+  return "module '" + module.name + "'" +
+         (module.plugin.empty() ? "" : " of plug-in '" + module.plugin + "'");
+}
 
 }  // namespace hawser

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hawser/base/domain.hpp"
+#include "hawser/base/scratch_folder.hpp"
 #include "hawser/deck/read_deck.hpp"
 #include "hawser/output/checkpoint.hpp"
 #include "hawser/simulation/environment.hpp"
@@ -32,8 +33,9 @@ class Case {
   /// where files lie that it names, such as a mesh.
   static Case from_text(const Environment& environment, const std::string& text,
                         const std::string& name = "deck", const CaseOptions& options = {});
-  /// Goes on from a checkpoint with the deck that is kept in it. OutputError when it cannot be
-  /// read, Error (usage) when nothing is left to do, or for changes.
+  /// Goes on from a checkpoint, or from the one before it when that is damaged, with the deck, the
+  /// tables and the mesh that are kept in it. OutputError when it cannot be read, Error (usage)
+  /// when nothing is left to do, DeckError for changes of what a run that goes on must keep.
   static Case from_checkpoint(const Environment& environment, const std::string& file,
                               const CaseOptions& options = {});
 
@@ -49,25 +51,35 @@ class Case {
   std::vector<PhysicsModule> make_modules() const;  ///< new ones at each call
   const std::vector<PlannedReport>& reports() const;
   const CheckpointReader* checkpoint() const;  ///< null when it starts from the deck
-  std::optional<double> end() const;           ///< s, when the options have one
+  std::optional<double> end() const;           ///< s, when the options, now or before, had one
   /// s, of the deck, when the run ends before it, where the deck's expectations do not apply.
   std::optional<double> end_of_deck() const;
   /// Of the checkpoint; empty when there is none.
   const std::string& home() const;
+  /// That the checkpoint is not the one that was asked for, which is damaged; empty otherwise.
+  const std::string& damage() const;
+  /// What a checkpoint must hold beside the state, so that nothing else is needed to go on. The
+  /// files are rank 0's.
+  void save(CheckpointHeader& header, std::vector<KeptFile>& files) const;
 
  private:
   struct Content;
   explicit Case(std::shared_ptr<const Content> content);
-  static std::shared_ptr<Content> read(const Environment& environment, Deck text,
-                                       const CaseOptions& options, Diagnostics& diagnostics);
+  /// With the files from there and with exactly these changes.
+  static std::shared_ptr<Content> read(const Environment& environment,
+                                       const std::shared_ptr<InputFiles>& files,
+                                       const std::string& deck, std::vector<DeckChange> changes,
+                                       const CaseOptions& options);
   std::shared_ptr<const Content> content_;
 };
 
 /// Path of a case's mesh file; one that must be made is made at `place`, and `made` is what the
-/// mesher says about it. Collective; MeshError on all ranks.
+/// mesher says about it; one that is kept in a checkpoint is there as long as this is. Collective;
+/// MeshError on all ranks.
 struct ProvidedMesh {
   std::string file;
   std::string made;  ///< empty for a mesh that was there
+  std::shared_ptr<ScratchFolder> scratch = {};
 };
 ProvidedMesh provide_mesh(const Case& run_case, const std::string& place);
 /// The mesh of that file, as the deck wants it read, with the domains beside its regions.

@@ -1,5 +1,6 @@
 #pragma once
 // Stable: part of the interface for programs that embed Hawser (doc/embedding.md).
+#include <optional>
 #include <string>
 
 #include "hawser/log/run_log.hpp"
@@ -12,7 +13,8 @@ struct RunOptions {
   std::string output{};  ///< result folder; that of the checkpoint when empty
   bool force = false;    ///< write over the results of another run
   LogDetail detail = LogDetail::steps;
-  bool log_json = false;  ///< one JSON object per line instead of text
+  bool log_json = false;               ///< one JSON object per line instead of text
+  std::optional<double> stop_after{};  ///< s of wall time; then it stops as by a signal
 };
 
 /// Steps to the end as the program does: results in a folder, a log on standard output, signals

@@ -65,7 +65,7 @@ class Stepper {
   /// DeckError with every name that the mesh or the modules do not know.
   explicit Stepper(const Case& run_case);
   /// With a mesh that provide_mesh() gave.
-  Stepper(const Case& run_case, const std::string& mesh_file);
+  Stepper(const Case& run_case, ProvidedMesh mesh);
   ~Stepper();
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
@@ -95,19 +95,22 @@ class Stepper {
   /// What the reports say of the run so far; the title alone before the first step.
   Summary summary() const;
 
-  /// The last accepted state, for Case::from_checkpoint; a mesh that was made for this stepper is
-  /// laid beside it. A restarted run begins without a Jacobian or factor; to be equal to it, this
-  /// one goes on without them, too. OutputError.
-  void save(const std::string& checkpoint);
+  /// The last accepted state, with all that Case::from_checkpoint needs. A file of that name goes
+  /// to `previous`, unless that is empty. A restarted run begins without a Jacobian or factor; to
+  /// be equal to it, this one goes on without them, too. OutputError.
+  void save(const std::string& checkpoint, const std::string& previous = "");
 
   // Not stable: for what looks inside.
+  /// The last accepted state in memory, to be saved when something has gone wrong after it.
+  Checkpoint state() const;
+  void save(Checkpoint state, const std::string& checkpoint, const std::string& previous) const;
   System& system() { return *system_; }
   const System& system() const { return *system_; }
   const Step& last() const { return *last_; }  ///< accepted
   double newton_seconds() const { return newton_watch_.seconds(); }
 
  private:
-  void build(const std::string& mesh_file);
+  void build();
   void check_sources() const;
   NonlinearReport solve(double length);
   void accept(const Attempt& attempt);
@@ -118,7 +121,7 @@ class Stepper {
 
   Case case_;
   std::unique_ptr<ScratchFolder> scratch_;  // of a mesh made here
-  std::string mesh_file_;
+  ProvidedMesh mesh_;
   std::unique_ptr<System> system_;
   std::unique_ptr<StepControl> control_;
   std::unique_ptr<Step> last_;

@@ -11,10 +11,9 @@
 
 namespace hawser {
 
-/// Collective; OutputError on all ranks.
-void save_history(const DofMap& dofs, const TimeHistory& history,
-                  const std::vector<CellMemory*>& memories, CheckpointHeader header,
-                  const std::string& path);
+/// The state as write_checkpoint() wants it, with what else the header holds. Collective.
+Checkpoint checkpoint_of(const DofMap& dofs, const TimeHistory& history,
+                         const std::vector<CellMemory*>& memories, CheckpointHeader header);
 /// OutputError when the checkpoint belongs to another mesh or other modules.
 TimeHistory load_history(const DofMap& dofs, const CheckpointReader& reader);
 /// The same for what cells remember.
