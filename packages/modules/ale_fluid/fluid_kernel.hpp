@@ -5,42 +5,15 @@
 #include <array>
 
 #include "hawser/physics/moving_point_kernel.hpp"
-#include "hawser/physics/place_function.hpp"
 
 namespace hawser {
 
-struct FluidProperties {
-  double density = 1000;  ///< kg/m^3
-  double viscosity = 1;   ///< dynamic, Pa s
-};
-
-/// The same force per mass everywhere, m/s^2.
-template <int D>
-struct UniformForce {
-  static constexpr unsigned displacement_needs = 0;
-  double value[D] = {};
-  template <class Point, class Displacement>
-  double operator()(int i, const Point& /*at*/, const Displacement& /*d*/) const {
-    return value[i];
-  }
-};
-
-/// A force per mass that varies with the place. Only here does the displacement's value cost
-/// derivative directions.
-struct VaryingForce {
-  static constexpr unsigned displacement_needs = need::value;
-  Expressions components;
-  template <class Point, class Displacement>
-  auto operator()(int i, const Point& at, const Displacement& d) const {
-    return at_place(components[static_cast<std::size_t>(i)], at.position, d.value, at.time);
-  }
-};
-
 /// Linear velocity and pressure with residual-based SUPG, PSPG and LSIC stabilisation, time scales
 /// from the metric of the moved element (Bazilevs et al., Comput. Methods Appl. Mech. Engrg. 197
-/// (2007) 173-201).
-template <int D, class Force>
-class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
+/// (2007) 173-201). Density, viscosity and body force are properties: whatever supplies them is felt
+/// by the stress and by the stabilisation alike.
+template <int D>
+class FluidKernel : public MovingPointKernel<FluidKernel<D>> {
  public:
   static constexpr int dimension = D;
   static constexpr int memory = D;  // the subscale velocity, m/s
@@ -48,22 +21,24 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
       StandardFields<D>::velocity.only(Basis::p1).as(Role::adds,
                                                      need::value | need::rate | need::gradient),
       StandardFields<D>::pressure.only(Basis::p1).as(Role::adds, need::value | need::gradient),
-      StandardFields<D>::displacement.as(Role::reads_if_solved,
-                                         need::rate | need::gradient | Force::displacement_needs)};
+      StandardFields<D>::displacement.as(Role::reads_if_solved, need::rate | need::gradient)};
+  static constexpr std::array<PropertyUse, 4> properties = {
+      property::density, property::viscosity, property::eddy_viscosity, property::body_force<D>};
   static constexpr Slot<0> velocity{};
   static constexpr Slot<1> pressure{};
   static constexpr Slot<2> displacement{};
+  static constexpr PropertySlot<0> density{};
+  static constexpr PropertySlot<1> viscosity{};
+  static constexpr PropertySlot<2> eddy_viscosity{};
+  static constexpr PropertySlot<3> body_force{};
 
-  FluidKernel(Domain domain, const FluidProperties& properties, Force force)
-      : MovingPointKernel<FluidKernel>(std::move(domain)),
-        properties_(properties),
-        force_(std::move(force)) {}
+  using MovingPointKernel<FluidKernel>::MovingPointKernel;
 
   template <class Point, class Form>
   void moved_form(const Point& at, Form& out) const {
     using T = typename Point::Number;
-    const double rho = properties_.density;
-    const double mu = properties_.viscosity;
+    const auto& rho = at[density];
+    const auto mu = total_viscosity(at);
     const auto v = at[velocity];
     const Balance<T> balance = balance_at<T>(at);
     const T mean_stress = rho * balance.continuity_scale * trace(v.gradient) - at[pressure].value;
@@ -104,9 +79,9 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
   void powers(const CellInput& cell, double* powers) const override {
     std::fill(powers, powers + 5, 0.0);
     this->at_moved_points(cell, [&](const auto& at, double weight, double expansion) {
-      const double rho = properties_.density;
+      const double rho = at[density];
+      const double mu = total_viscosity(at);
       const auto v = at[velocity];
-      const auto d = at[displacement];
       const Balance<double> balance = balance_at<double>(at);
       const double divergence = trace(v.gradient);
       double kinetic = 0.5 * rho * dot(v.value, v.value) * expansion;
@@ -115,12 +90,11 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
           (rho * balance.continuity_scale * divergence - at[pressure].value) * divergence;
       for (int i = 0; i < D; ++i) {
         kinetic += rho * v.value[i] * v.rate[i];
-        force -= rho * v.value[i] * force_(i, at, d);
+        force -= rho * v.value[i] * at[body_force][i];
         numerical += rho * v.value[i] * balance.subscale_rate[i];
         for (int j = 0; j < D; ++j) {
           carried += rho * v.value[i] * v.gradient(i, j) * balance.convection[j];
-          viscous +=
-              properties_.viscosity * (v.gradient(i, j) + v.gradient(j, i)) * v.gradient(i, j);
+          viscous += mu * (v.gradient(i, j) + v.gradient(j, i)) * v.gradient(i, j);
           numerical -= rho * balance.subscale[i] * balance.convection[j] * v.gradient(i, j);
         }
       }
@@ -132,14 +106,20 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
   void energies(const CellInput& cell, double* energies) const override {
     std::fill(energies, energies + 5, 0.0);
     this->at_moved_points(cell, [&](const auto& at, double weight, double /*expansion*/) {
-      energies[0] +=
-          weight * 0.5 * properties_.density * dot(at[velocity].value, at[velocity].value);
+      energies[0] += weight * 0.5 * at[density] * dot(at[velocity].value, at[velocity].value);
     });
   }
 
   std::vector<double> sample_amplitudes() const override { return {1.0, 100.0, 0.05}; }
 
  private:
+  /// Molecular and turbulent, Pa s.
+  template <class Point>
+  static auto total_viscosity(const Point& at) {
+    using P = std::decay_t<decltype(at[viscosity])>;
+    return P(at[viscosity] + at[density] * at[eddy_viscosity]);
+  }
+
   template <class T>
   struct Balance {
     Vector<T, D> convection;     ///< c = v - w, relative to the mesh, m/s
@@ -153,7 +133,7 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
   /// viscous part of the strong residual R vanishes for linear shapes.
   template <class T, class Point>
   Balance<T> balance_at(const Point& at) const {
-    const double rho = properties_.density;
+    const auto& rho = at[density];
     const auto v = at[velocity];
     const auto p = at[pressure];
     const auto d = at[displacement];
@@ -166,7 +146,7 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
     const double per_step = 1 / at.elapsed;  // 0 in a steady solve
     const T effective = 1.0 / (per_step + 1.0 / tau.momentum);
     for (int i = 0; i < D; ++i) {
-      result.inertia[i] = rho * (v.rate[i] + convected[i] - force_(i, at, d));
+      result.inertia[i] = rho * (v.rate[i] + convected[i] - at[body_force][i]);
       const T strong_residual = result.inertia[i] + p.gradient[i];
       result.subscale[i] = effective * (per_step * at.memory[i] - strong_residual / rho);
       result.subscale_rate[i] = per_step * (result.subscale[i] - at.memory[i]);
@@ -191,7 +171,8 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
     // A quarter of the customary weight: at a sharp edge the full one adds 10 % drag on coarse
     // cells.
     constexpr double continuity_weight = 0.25;
-    const double nu = properties_.viscosity / properties_.density;
+    using P = std::decay_t<decltype(at[viscosity])>;
+    const P nu = at[viscosity] / at[density] + at[eddy_viscosity];
     const Tensor<T, D> to_cell = at.inverse_jacobian();
     Tensor<T, D> metric;
     if (at.reference.shape->simplex)
@@ -240,9 +221,6 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D, Force>> {
         metric(i, j) = 4.0 * sum;
       }
   }
-
-  FluidProperties properties_;
-  Force force_;
 };
 
 }  // namespace hawser

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "hawser/physics/moving_point_kernel.hpp"
-#include "hawser/physics/place_function.hpp"
 
 namespace hawser {
 
@@ -15,28 +14,26 @@ struct MeshStiffness {
   double poisson = 0.3;
 };
 
-struct NoLoad {
-  static constexpr unsigned displacement_needs = 0;
-};
-
 /// Force per volume over the local Young's modulus, 1/m.
-struct MeshLoad {
-  static constexpr unsigned displacement_needs = need::value;
-  Expressions components;
-};
+template <int D>
+constexpr PropertyUse mesh_load{"mesh load", "1/m", D};
 
-template <int D, class Load>
-class MeshMotionKernel : public MovingPointKernel<MeshMotionKernel<D, Load>> {
+template <int D>
+class MeshMotionKernel : public MovingPointKernel<MeshMotionKernel<D>> {
  public:
   static constexpr int dimension = D;
   static constexpr std::array<FieldUse, 1> uses = {StandardFields<D>::displacement.as(
-      Role::governs, need::gradient | need::accepted | Load::displacement_needs)};
+      Role::governs, need::gradient | need::accepted)};
+  static constexpr std::array<PropertyUse, 2> properties = {property::mesh_stiffness,
+                                                            mesh_load<D>};
   static constexpr Slot<0> displacement{};
+  static constexpr PropertySlot<0> factor{};
+  static constexpr PropertySlot<1> load{};
 
-  MeshMotionKernel(Domain domain, const MeshStiffness& stiffness, Load load)
-      : MovingPointKernel<MeshMotionKernel>(std::move(domain)),
-        stiffness_(stiffness),
-        load_(std::move(load)) {}
+  MeshMotionKernel(Domain domain, const MeshStiffness& stiffness)
+      : MovingPointKernel<MeshMotionKernel>(
+            std::move(domain), {std::vector<double>{1.0}, std::vector<double>(D, 0.0)}),
+        stiffness_(stiffness) {}
 
   /// The configuration about which the mesh is elastic, not the present one.
   template <class Point>
@@ -58,10 +55,11 @@ class MeshMotionKernel : public MovingPointKernel<MeshMotionKernel<D, Load>> {
     // The reference size is 1 m^2 or m^3: a common factor that cancels from the solution.
     const double size =
         at.reference.shape->measure * at.frame.volume / determinant(at.reference.inverse_jacobian);
-    const double young = std::pow(size, -stiffness_.power);
+    using P = std::decay_t<decltype(at[factor])>;
+    const P young = at[factor] * std::pow(size, -stiffness_.power);
     const double nu = stiffness_.poisson;
-    const double lambda = young * nu / ((1 + nu) * (1 - 2 * nu));
-    const double shear = young / (2 * (1 + nu));
+    const P lambda = young * nu / ((1 + nu) * (1 - 2 * nu));
+    const P shear = young / (2 * (1 + nu));
     const T volumetric = lambda * trace(strain);
     Tensor<T, D>& stress = out[displacement].flux;
     for (int i = 0; i < D; ++i)
@@ -69,11 +67,8 @@ class MeshMotionKernel : public MovingPointKernel<MeshMotionKernel<D, Load>> {
         stress(i, j) = shear * (strain(i, j) + strain(j, i));
     for (int i = 0; i < D; ++i)
       stress(i, i) += volumetric;
-    if constexpr (Load::displacement_needs != 0)
-      for (int i = 0; i < D; ++i)
-        out[displacement].source[i] =
-            -young * at_place(load_.components[static_cast<std::size_t>(i)], at.position,
-                              at[displacement].value, at.time);
+    for (int i = 0; i < D; ++i)
+      out[displacement].source[i] = -young * at[load][i];
   }
 
   std::vector<double> sample_amplitudes() const override { return {0.05}; }
@@ -86,7 +81,6 @@ class MeshMotionKernel : public MovingPointKernel<MeshMotionKernel<D, Load>> {
   }
 
   MeshStiffness stiffness_;
-  Load load_;
 };
 
 }  // namespace hawser

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "hawser/base/error.hpp"
+#include "hawser/physics/element_kernel.hpp"
 #include "hawser/physics/point_kernel.hpp"
 
 namespace hawser {
@@ -24,6 +25,23 @@ void detail::check_size(const Kernel& kernel, const CellTabulation& table) {
                       std::to_string(unknowns) + " unknowns and up to " + std::to_string(most) +
                       " nodes per cell; there is room for " + std::to_string(max_unknowns) +
                       " and " + std::to_string(max_nodes));
+}
+
+CellTabulation detail::at_vertices(const Kernel& kernel, CellShape shape) {
+  const ShapeTraits& of = traits(shape);
+  if (of.dimension != kernel.dimension())
+    throw PluginError("a kernel on '" + kernel.domain().text() +
+                      "' uses a property that is supplied at points of the body, and its cells "
+                      "do not fill it");
+  Quadrature vertices;
+  vertices.shape = shape;
+  vertices.points = of.vertices;
+  vertices.weights.assign(static_cast<std::size_t>(of.vertices), 0.0);
+  for (int v = 0; v < of.vertices; ++v)
+    for (int j = 0; j < of.dimension; ++j)
+      vertices.locations.push_back(of.vertex[v][j]);
+  const Basis linear = Basis::p1;
+  return tabulate_cell(std::vector<Basis>(kernel.fields().size(), linear), vertices);
 }
 
 }  // namespace hawser

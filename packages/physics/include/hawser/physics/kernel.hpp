@@ -11,34 +11,9 @@
 #include "hawser/deck/location.hpp"
 #include "hawser/element/tabulation.hpp"
 #include "hawser/physics/field_use.hpp"
+#include "hawser/physics/kernel_properties.hpp"
 
 namespace hawser {
-
-/// One field on one cell; every array is [node][component].
-struct FieldOnCell {
-  const double* value;
-  const double* rate;
-  const double* accepted;    ///< value at the last accepted step
-  const double* rate_slope;  ///< d rate / d value at the same node and component
-  const double*
-      rate_partner;  ///< d rate / d velocity at the same node and component (structures: 1)
-};
-
-struct CellInput {
-  double time = 0;                      ///< s, at which the equations are formed
-  double step = 0;                      ///< s; infinite in a steady solve
-  const double* coordinates = nullptr;  ///< reference coordinates [vertex][dimension], m
-  const FieldOnCell* fields = nullptr;  ///< in the order of Kernel::fields()
-  const double* memory = nullptr;       ///< what the cell remembers of the last accepted step
-  /// s, from the instant of what is remembered, at which that step's equations were formed, to
-  /// `time`; infinite in a steady solve.
-  double elapsed = 0;
-  /// Of the step at which the equations are formed: it ends at accepted + (value - accepted)/share.
-  double share = 1;
-  /// Forces must do at least the work over the step that their energy gains.
-  bool bounds_energy = false;
-  bool held = false;  ///< the branch of a law that switches (Kernel::switches)
-};
 
 enum class CellStatus {
   ok,
@@ -61,14 +36,24 @@ struct EnergyTerm {
 
 class Kernel {
  public:
-  Kernel(Domain domain, std::vector<FieldUse> fields)
-      : domain_(std::move(domain)), fields_(std::move(fields)) {}
+  /// `constants`: values of the properties that the module gives itself, nothing: of none.
+  Kernel(Domain domain, std::vector<FieldUse> fields, std::vector<PropertyUse> properties = {},
+         std::vector<PropertyConstant> constants = {})
+      : domain_(std::move(domain)),
+        fields_(std::move(fields)),
+        properties_(std::move(properties), std::move(constants)) {}
   virtual ~Kernel() = default;
   Kernel(const Kernel&) = delete;
   Kernel& operator=(const Kernel&) = delete;
 
   const Domain& domain() const { return domain_; }
+  /// Its own, then those that only the sources of its properties read.
   const std::vector<FieldUse>& fields() const { return fields_; }
+  const KernelProperties& properties() const { return properties_; }
+  /// Before bind(): `source` supplies that property on the cells of `on`.
+  void connect(std::size_t property, const Supply& supply) {
+    properties_.connect(property, supply, fields_);
+  }
   virtual int dimension() const = 0;                  ///< of the mesh that it is written for
   virtual std::vector<CellShape> shapes() const = 0;  ///< of the cells that it is written for
   /// The field whose value is the rate of field `field` on structures; -1 when it follows none or
@@ -125,19 +110,24 @@ class Kernel {
   /// An admissible state for derivative checks: det F > 0, away from kinks. Amplitudes per field.
   virtual std::vector<double> sample_amplitudes() const;
 
+ protected:
+  KernelProperties& own_properties() { return properties_; }
+
  private:
   Domain domain_;
   std::vector<FieldUse> fields_;
+  KernelProperties properties_;
 };
 
-/// A module as the rest of the program sees it: its kernels, and the named block its rows belong
-/// to.
+/// A module as the rest of the program sees it: its kernels, the named block its rows belong to,
+/// and the properties that it supplies to itself and to others.
 struct PhysicsModule {
   std::string name;
   std::string block;  ///< fluid, structure, mesh or a name of its own
   std::vector<std::unique_ptr<Kernel>> kernels;
   Location location{};   ///< of its element in the deck, for complaints that need the mesh
   std::string plugin{};  ///< that it comes from; empty for what is built in
+  std::vector<Supply> supplies{};
 };
 
 /// "module 'heat' of plug-in 'warmth'".

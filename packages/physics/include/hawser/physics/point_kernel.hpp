@@ -5,59 +5,31 @@
 //     R(w) = integral over the reference cell of  s . w + f : grad w .
 // The derivative is taken with respect to the values, rates and gradients at the *point* (Sacado,
 // fixed size), then contracted with the tabulated shapes: the number of directions does not grow
-// with the order of the elements.
-#include <Sacado.hpp>
-
-#include <array>
+// with the order of the elements. Properties that others supply are independent variables too; the
+// slopes of their laws carry them on to the unknowns.
+#include <algorithm>
 #include <cmath>
-#include <tuple>
-#include <utility>
 
-#include "hawser/element/cell_geometry.hpp"
 #include "hawser/physics/kernel.hpp"
+#include "hawser/physics/point_fields.hpp"
 
 namespace hawser {
 
-/// Names a field inside a kernel: `static constexpr Slot<0> temperature;` then
-/// `at[temperature].value`.
-template <int I>
-using Slot = std::integral_constant<int, I>;
-
 namespace detail {
-constexpr int max_nodes = 27;      // of one field on one cell: quadratic hexahedron
-constexpr int max_unknowns = 192;  // of one cell
-
 /// PluginError when the cell's unknowns do not fit into the arrays that the loop has on its stack.
 void check_size(const Kernel& kernel, const CellTabulation& table);
-
-template <class T, int C, int D>
-struct PointTypes {
-  using Value = Vector<T, D>;
-  using Gradient = Tensor<T, D>;
-  static_assert(C == D, "a field has one component or as many as there are dimensions");
-};
-template <class T, int D>
-struct PointTypes<T, 1, D> {
-  using Value = T;
-  using Gradient = Vector<T, D>;
-};
 }  // namespace detail
 
-/// One field at a point: scalars have a T and a Vector, vectors have a Vector and a Tensor.
-template <class T, int C, int D>
-struct FieldAtPoint {
-  typename detail::PointTypes<T, C, D>::Value value{};
-  typename detail::PointTypes<T, C, D>::Value rate{};  ///< d/dt at fixed reference point
-  typename detail::PointTypes<T, C, D>::Gradient
-      gradient{};  ///< with respect to reference coordinates
-  typename detail::PointTypes<double, C, D>::Gradient
-      accepted_gradient{};  ///< at the last accepted step
-};
+struct this_field_is_only_read_and_takes_no_source_and_no_flux {};
 
-template <class T, int C, int D>
+template <class T, int C, int D, bool Writes>
 struct FormAtPoint {
   typename detail::PointTypes<T, C, D>::Value source{};
   typename detail::PointTypes<T, C, D>::Gradient flux{};
+};
+template <class T, int C, int D>
+struct FormAtPoint<T, C, D, false> {
+  this_field_is_only_read_and_takes_no_source_and_no_flux source, flux;
 };
 
 /// Derived has:  static constexpr int dimension;
@@ -65,18 +37,25 @@ struct FormAtPoint {
 ///               template <class Point, class Form> void weak_form(const Point& at, Form& out)
 ///               const;
 /// `typename Point::Number` is the number type; set out.inverted when det F <= 0.
+/// One that uses properties hides
+///               static constexpr std::array<PropertyUse, m> properties;
+/// hands the constants that its module gives to the constructor, and reads at[PropertySlot<i>]: a
+/// number with derivatives where somebody supplies it, else a double.
 /// One that remembers something at each quadrature point hides
 ///               static constexpr int memory;   doubles per point
 /// reads at.memory[i] and has
 ///               template <class Point> void advance(const Point& at, double* next) const;
 /// which is evaluated with doubles on acceptance (Kernel::advance_memory).
 template <class Derived>
-class PointKernel : public Kernel {
+class PointKernel : public Kernel, public PointFields<Derived> {
  public:
   static constexpr int memory = 0;
+  static constexpr std::array<PropertyUse, 0> properties{};
+  using PointFields<Derived>::directions;
 
-  explicit PointKernel(Domain domain)
-      : Kernel(std::move(domain), {Derived::uses.begin(), Derived::uses.end()}) {}
+  explicit PointKernel(Domain domain, std::vector<PropertyConstant> constants = {})
+      : Kernel(std::move(domain), {Derived::uses.begin(), Derived::uses.end()},
+               {Derived::properties.begin(), Derived::properties.end()}, std::move(constants)) {}
 
   int dimension() const override { return Derived::dimension; }
   std::vector<CellShape> shapes() const override {
@@ -86,33 +65,26 @@ class PointKernel : public Kernel {
 
   void bind(const CellTabulation& table) override {
     detail::check_size(*this, table);
-    table_ = table;
+    this->table_ = table;
+    own_properties().bind(table, fields());
   }
-  int nodes(std::size_t field) const override { return table_.fields[field].nodes; }
+  int nodes(std::size_t field) const override { return this->table_.fields[field].nodes; }
 
   CellStatus residual(const CellInput& cell, double* residual) const override {
-    return evaluate<double>(cell, residual, nullptr);
+    return evaluate<double, double>(cell, residual, nullptr);
   }
   CellStatus tangent(const CellInput& cell, double* residual, double* tangent) const override {
-    return evaluate<Sacado::Fad::SFad<double, directions()>>(cell, residual, tangent);
+    constexpr int supplied_directions = detail::components(Derived::properties);
+    if constexpr (supplied_directions > 0)
+      if (supplies().supplied()) {
+        using T = Sacado::Fad::SFad<double, directions() + supplied_directions>;
+        return evaluate<T, T>(cell, residual, tangent);
+      }
+    return evaluate<Sacado::Fad::SFad<double, directions()>, double>(cell, residual, tangent);
   }
 
-  int memory_per_cell() const override { return table_.rule.points * Derived::memory; }
+  int memory_per_cell() const override { return this->table_.rule.points * Derived::memory; }
   void advance_memory(const CellInput& cell, double* next) const override;
-
-  /// Derivative directions of one field: its value, rate and gradient, as far as they are looked
-  /// at.
-  static constexpr int directions(const FieldUse& use) {
-    return use.components *
-           (((use.needs & need::value) != 0 ? 1 : 0) + ((use.needs & need::rate) != 0 ? 1 : 0) +
-            ((use.needs & need::gradient) != 0 ? Derived::dimension : 0));
-  }
-  static constexpr int directions() {
-    int sum = 0;
-    for (const FieldUse& use : Derived::uses)
-      sum += directions(use);
-    return sum;
-  }
 
  protected:
   /// visit(at, weight, q, gradients) at every quadrature point, in doubles: the weight is the
@@ -123,43 +95,28 @@ class PointKernel : public Kernel {
 
  private:
   template <class T, class Index>
-  struct PointOf;
-  template <class T, std::size_t... I>
-  struct PointOf<T, std::index_sequence<I...>> : CellGeometry<Derived::dimension> {
-    using Number = T;
-    static constexpr int dimension = Derived::dimension;
-    std::tuple<FieldAtPoint<T, Derived::uses[I].components, Derived::dimension>...> fields;
-    double time = 0;
-    double step = 0;
-    double elapsed = 0;              ///< s, since the instant of what is remembered
-    const double* memory = nullptr;  ///< [Derived::memory], of the last accepted step
-    template <int S>
-    const auto& operator[](Slot<S>) const {
-      return std::get<S>(fields);
-    }
-  };
-  template <class T, class Index>
   struct FormOf;
   template <class T, std::size_t... I>
   struct FormOf<T, std::index_sequence<I...>> {
-    std::tuple<FormAtPoint<T, Derived::uses[I].components, Derived::dimension>...> fields;
+    std::tuple<FormAtPoint<T, Derived::uses[I].components, Derived::dimension,
+                           has_rows(Derived::uses[I].role)>...>
+        fields;
     bool inverted = false;
     template <int S>
-    auto& operator[](Slot<S>) {
+    auto& operator[](Slot<S> /*slot*/) {
+      static_assert(0 <= S && S < static_cast<int>(sizeof...(I)),
+                    "this slot is beyond the kernel's uses");
       return std::get<S>(fields);
     }
   };
 
-  template <class At>
-  void enter(const CellInput& cell, At& at) const;
-  /// Values, rates and gradients of every field at point q, each an independent variable, and the
-  /// gradients of the shapes.
-  template <class At, class Gradients>
-  void go_to(int q, const CellInput& cell, At& at, Gradients& gradients) const;
-  template <class T>
+  const KernelProperties& supplies() const { return Kernel::properties(); }
+  /// Properties at point q, as evaluated on the cell; independent variables after those of the
+  /// fields.
+  template <class P, class At>
+  void load_properties(int q, At& at) const;
+  template <class T, class P>
   CellStatus evaluate(const CellInput& cell, double* residual, double* tangent) const;
-
-  CellTabulation table_;
 };
 
 }  // namespace hawser
