@@ -5,6 +5,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/deck/value.hpp"
 #include "src/parse_formula.hpp"
+#include "src/refuse_value.hpp"
 
 namespace hawser {
 
@@ -60,12 +61,8 @@ Expression::Tangent Expression::tangent(const SpaceTime& point) const {
 }
 
 double Expression::finite(double number, const char* what, const SpaceTime& point) const {
-  if (std::isfinite(number)) return number;
-  std::string where = "x = " + write_value(point.x) + ", y = " + write_value(point.y);
-  if (point.z != 0) where += ", z = " + write_value(point.z);
-  throw SolveError(location_.text() + ": the " + what + " \'" + text_ + "' is " +
-                   (std::isnan(number) ? "not a number" : "infinite") + " at " + where +
-                   " m, t = " + write_value(point.t) + " s");
+  if (!std::isfinite(number)) refuse_value(number, what, *this, point, "");
+  return number;
 }
 
 bool Expression::depends_on_time() const { return formula_ && formula_->uses_any("t"); }

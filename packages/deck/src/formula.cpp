@@ -11,7 +11,7 @@ bool is_number(const Formula::Step& step) { return step.operation == Formula::Op
 void load(double& value, double given, int /*direction*/) { value = given; }
 void load(Dual& value, double given, int direction) {
   value = given;
-  if (direction >= 0) value.slope[direction] = 1;
+  if (direction >= 0 && direction < Dual::directions) value.slope[direction] = 1;
 }
 
 void call_one(double& u, const FormulaFunction& function) { u = function.value(u); }
@@ -76,7 +76,7 @@ bool Formula::uses_any(const std::string& variables) const {
 }
 
 template <class T>
-T Formula::run(const SpaceTime& at) const {
+T Formula::run(const SpaceTime& at, const double* references, int first) const {
   T stack[deepest];
   T* top = stack;  // past the last value
   for (const Step& step : steps_) {
@@ -85,8 +85,13 @@ T Formula::run(const SpaceTime& at) const {
     switch (step.operation) {
       case Operation::number: *top = step.number; break;
       case Operation::variable:
-        load(*top, at.*step.variable->member, step.variable->direction);
+        load(*top, at.*step.variable->member, step.variable->direction - first);
         break;
+      case Operation::reference: {
+        const int index = static_cast<int>(step.number);
+        load(*top, references[index], Dual::directions + index - first);
+        break;
+      }
       case Operation::negate: negate(*top); break;
       case Operation::add: top[0] += top[1]; break;
       case Operation::subtract: top[0] -= top[1]; break;
@@ -110,7 +115,7 @@ T Formula::run(const SpaceTime& at) const {
   return stack[0];
 }
 
-template double Formula::run<double>(const SpaceTime&) const;
-template Dual Formula::run<Dual>(const SpaceTime&) const;
+template double Formula::run<double>(const SpaceTime&, const double*, int) const;
+template Dual Formula::run<Dual>(const SpaceTime&, const double*, int) const;
 
 }  // namespace hawser

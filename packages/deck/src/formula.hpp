@@ -18,6 +18,7 @@ class Formula {
   enum class Operation {
     number,
     variable,
+    reference,  ///< to a value that the caller gives, `number` in a FieldExpression's list
     negate,
     add,
     subtract,
@@ -39,7 +40,7 @@ class Formula {
   struct Variable {
     char name;
     double SpaceTime::*member;
-    int direction;  ///< among a Dual's derivatives; -1: it is none of them
+    int direction;  ///< of all that there are derivatives by; -1: it is none of them
   };
   struct Step {
     Operation operation;
@@ -55,13 +56,19 @@ class Formula {
   void append_power();
   int depth() const { return depth_; }
 
-  double value(const SpaceTime& at) const { return run<double>(at); }
-  Dual value_and_slopes(const SpaceTime& at) const { return run<Dual>(at); }
+  double value(const SpaceTime& at, const double* references = nullptr) const {
+    return run<double>(at, references, 0);
+  }
+  /// A Dual's directions, one after another, from `first` on of: x, y, z, t, reference 0, 1, ...
+  Dual value_and_slopes(const SpaceTime& at, const double* references = nullptr,
+                        int first = 0) const {
+    return run<Dual>(at, references, first);
+  }
   bool uses_any(const std::string& variables) const;  ///< one letter each
 
  private:
   template <class T>
-  T run(const SpaceTime& at) const;
+  T run(const SpaceTime& at, const double* references, int first) const;
 
   std::vector<Step> steps_;
   std::string used_;  // variables, a letter each

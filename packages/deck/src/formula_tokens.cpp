@@ -54,7 +54,24 @@ std::vector<std::string> names_of_formulas() {
   return names;
 }
 
-FormulaTokens::FormulaTokens(const std::string& text, const NamedValues* names) : text_(text) {
+int FieldNames::index(const std::string& name, int along) {
+  FieldReference wanted;
+  wanted.field = name;
+  wanted.along = along;
+  const std::size_t end = name.size();
+  if (end > 2 && name[end - 2] == '_' && name[end - 1] >= 'x' && name[end - 1] <= 'z') {
+    wanted.field = name.substr(0, end - 2);
+    wanted.component = name[end - 1] - 'x';
+    wanted.of_vector = true;
+  }
+  for (std::size_t i = 0; i < references.size(); ++i)
+    if (references[i].text() == wanted.text()) return static_cast<int>(i);
+  references.push_back(wanted);
+  return static_cast<int>(references.size()) - 1;
+}
+
+FormulaTokens::FormulaTokens(const std::string& text, const NamedValues* names, FieldNames* fields)
+    : text_(text), fields_(fields) {
   constants_["pi"] = pi;
   for (std::size_t i = 0; names != nullptr && i < names->size(); ++i)
     constants_[(*names)[i].name] = (*names)[i].value;
@@ -121,8 +138,16 @@ void FormulaTokens::read_name() {
   if (followed_by_parenthesis()) {
     now_.kind = FormulaToken::Kind::function;
     if (now_.function != nullptr) return;
+    std::vector<std::string> functions = function_names();
+    if (fields_ != nullptr) {
+      now_.kind = FormulaToken::Kind::derivative;
+      for (const char* const derivative : {"dx", "dy", "dz"}) {
+        if (name == derivative) return;
+        functions.emplace_back(derivative);
+      }
+    }
     throw FormulaFault{"there is no function " + quoted(name) + "; functions are " +
-                       listed(function_names()) + did_you_mean(name, function_names())};
+                       listed(functions) + did_you_mean(name, functions)};
   }
   if (now_.function != nullptr)
     throw FormulaFault{"the function " + quoted(name) + " needs its arguments in parentheses"};
@@ -136,6 +161,11 @@ void FormulaTokens::read_name() {
   for (const auto& constant : constants_)
     names.push_back(constant.first);
   const auto constant = constants_.find(name);
+  if (fields_ != nullptr && constant == constants_.end()) {
+    now_.kind = FormulaToken::Kind::field;
+    return;
+  }
+  if (fields_ != nullptr && name != "pi") fields_->parameters.push_back(name);
   if (constant == constants_.end())
     throw FormulaFault{"the name " + quoted(name) + " is not known; names are " + listed(names) +
                        did_you_mean(name, names)};

@@ -26,8 +26,8 @@ constexpr Operator operators[] = {
 /// sign before it and weaker than one after it: -2^2 = -4, 2^-2 = 0.25, 2^3^2 = 2^9.
 class Parser {
  public:
-  Parser(const std::string& text, const NamedValues* names, Formula& result)
-      : tokens_(text, names), formula_(result) {}
+  Parser(const std::string& text, const NamedValues* names, Formula& result, FieldNames* fields)
+      : tokens_(text, names, fields), formula_(result), fields_(fields) {}
 
   void read() {
     int values = 1;
@@ -107,10 +107,25 @@ class Parser {
       append({Operation::variable, 0, 0, token.variable});
     } else if (token.kind == Kind::function) {
       call(*token.function);
+    } else if (token.kind == Kind::field) {
+      refer(token.text, -1);
+    } else if (token.kind == Kind::derivative) {
+      tokens_.next();  // past the parenthesis
+      const FormulaToken field = tokens_.now();
+      tokens_.next();
+      if (field.kind != Kind::field || !tokens_.at(")"))
+        throw FormulaFault{quoted(token.text) + " takes the name of a field, such as " +
+                           token.text + "(temperature) or " + token.text + "(velocity_x)"};
+      tokens_.next();
+      refer(field.text, token.text[1] - 'x');
     } else {
       choice();
       close();
     }
+  }
+
+  void refer(const std::string& name, int along) {
+    append({Operation::reference, 0, double(fields_->index(name, along))});
   }
 
   void call(const FormulaFunction& function) {
@@ -144,15 +159,17 @@ class Parser {
 
   FormulaTokens tokens_;
   Formula& formula_;
+  FieldNames* fields_;  // null: none are allowed
   int nesting_ = 0;
 };
 
 }  // namespace
 
-std::string parse_formula(const std::string& text, const NamedValues* names, Formula& result) {
+std::string parse_formula(const std::string& text, const NamedValues* names, Formula& result,
+                          FieldNames* fields) {
   if (trimmed(text).empty()) return "the expression is empty";
   try {
-    Parser(text, names, result).read();
+    Parser(text, names, result, fields).read();
   } catch (const FormulaFault& fault) {
     return fault.sentence;
   }

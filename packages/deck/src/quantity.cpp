@@ -103,20 +103,21 @@ std::string read_with_unit(const Reading& reading, const std::string& text, doub
   return convert(reading, unit, in_unit(unit), parts.number, value);
 }
 
-std::string read_formula(const Reading& reading, const std::string& text, Expression& value) {
+template <class Formula>
+std::string read_formula(const Reading& reading, const std::string& text, Formula& value) {
   if (names_infinity(text)) return "a finite number is needed";
   if (text[0] == '+' || text.find_first_not_of("+-") == std::string::npos)
     return "a number is needed, such as 0.5 or 1e-3";
   if (text.find_first_of("{}[]") != std::string::npos)
     return "values are written without braces or brackets, and set apart by blanks: '0 -0.5'";
   const NamedValue* const named = find_named(reading.names, text);
-  std::string fault = Expression::compile(text, reading.location, reading.names, value);
+  std::string fault = Formula::compile(text, reading.location, reading.names, value);
   if (!fault.empty() || named == nullptr || !named->unit) return fault;
   double number = named->given;
   const Unit& unit = *named->unit;
   fault =
       convert(reading, unit, "the parameter " + quoted(text) + " is in " + unit.text, "1", number);
-  if (fault.empty()) value = Expression::constant(number, unit, reading.location);
+  if (fault.empty()) value = Formula::constant(number, unit, reading.location);
   return fault;
 }
 
@@ -133,6 +134,29 @@ std::string number_fault(const std::string& text) {
   if (!read_unit(rest, unit).empty()) return fault;
   return "a blank is missing between the number and its unit; write '" +
          text.substr(0, digits + 1) + " " + rest + "'";
+}
+
+template <class Formula>
+std::string read_any(const Reading& reading, const std::string& text, Formula& value) {
+  if (text.empty()) return "a value is missing beside a ';'";
+  double number = 0;
+  Unit unit;
+  std::string fault;
+  switch (kind_of(text)) {
+    case ValueKind::number:
+      fault = number_fault(text);
+      if (!fault.empty() && wanted_unit(reading) && reading.unit != "1")
+        fault += " (in " + reading.unit + ")";
+      if (!fault.empty()) return fault;
+      read_number(text, number);
+      value = Formula::constant(number, std::nullopt, reading.location);
+      return "";
+    case ValueKind::with_unit:
+      fault = read_with_unit(reading, text, number, unit);
+      if (fault.empty()) value = Formula::constant(number, unit, reading.location);
+      return fault;
+    default: return read_formula(reading, text, value);
+  }
 }
 
 }  // namespace
@@ -153,25 +177,11 @@ ValueKind kind_of(const std::string& text) {
 }
 
 std::string read_expression(const Reading& reading, const std::string& text, Expression& value) {
-  if (text.empty()) return "a value is missing beside a ';'";
-  double number = 0;
-  Unit unit;
-  std::string fault;
-  switch (kind_of(text)) {
-    case ValueKind::number:
-      fault = number_fault(text);
-      if (!fault.empty() && wanted_unit(reading) && reading.unit != "1")
-        fault += " (in " + reading.unit + ")";
-      if (!fault.empty()) return fault;
-      read_number(text, number);
-      value = Expression::constant(number, std::nullopt, reading.location);
-      return "";
-    case ValueKind::with_unit:
-      fault = read_with_unit(reading, text, number, unit);
-      if (fault.empty()) value = Expression::constant(number, unit, reading.location);
-      return fault;
-    default: return read_formula(reading, text, value);
-  }
+  return read_any(reading, text, value);
+}
+std::string read_expression(const Reading& reading, const std::string& text,
+                            FieldExpression& value) {
+  return read_any(reading, text, value);
 }
 
 std::string read_quantity(const Reading& reading, const std::string& text, double& value) {

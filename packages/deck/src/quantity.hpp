@@ -18,6 +18,9 @@ std::string read_quantity(const Reading& reading, const std::string& text, doubl
 
 /// The same, where formulas may depend on place and time.
 std::string read_expression(const Reading& reading, const std::string& text, Expression& value);
+/// The same, where they may speak of fields, too.
+std::string read_expression(const Reading& reading, const std::string& text,
+                            FieldExpression& value);
 
 /// Splits a list at ';', or, where it holds nothing but numbers and units, at the blanks between
 /// values: "0; 2*dt", "0 -420", "0 m -2 km". A unit that stands once, at the end, is for all.

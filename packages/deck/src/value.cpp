@@ -59,7 +59,8 @@ std::string of_part(const std::string& part, std::size_t count, const std::strin
   return fault.empty() || count < 2 ? fault : "in " + quoted(part) + ", " + fault;
 }
 
-std::string expression_fault(const Reading& reading, const std::string& text, Expression& value) {
+template <class Formula>
+std::string expression_fault(const Reading& reading, const std::string& text, Formula& value) {
   const std::string fault = read_expression(reading, text, value);
   return fault.empty() && value.is_constant() ? range_fault(reading, value({})) : fault;
 }
@@ -76,6 +77,25 @@ std::string with_separator(const Reading& reading, std::size_t parts, const std:
   }
   return fault +
          "; values of a list that are names or formulas are set apart by ';': " + quoted(apart);
+}
+
+template <class Formula>
+std::string one_formula(const Reading& reading, Formula& value) {
+  const std::size_t count = split_values(reading.text).size();
+  if (count > 1) return "one value is needed, " + std::to_string(count) + " are given";
+  return expression_fault(reading, reading.text, value);
+}
+
+template <class Formula>
+std::string formulas(const Reading& reading, std::vector<Formula>& value) {
+  const auto parts = split_values(reading.text);
+  value.assign(parts.size(), {});
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string fault = expression_fault(reading, parts[i], value[i]);
+    if (!fault.empty())
+      return with_separator(reading, parts.size(), of_part(parts[i], parts.size(), fault));
+  }
+  return list_fault(reading, parts);
 }
 
 template <class List>
@@ -120,9 +140,16 @@ std::string read_value(const Reading& reading, std::string& value) {
 }
 
 std::string read_value(const Reading& reading, Expression& value) {
-  const std::size_t count = split_values(reading.text).size();
-  if (count > 1) return "one value is needed, " + std::to_string(count) + " are given";
-  return expression_fault(reading, reading.text, value);
+  return one_formula(reading, value);
+}
+std::string read_value(const Reading& reading, FieldExpression& value) {
+  return one_formula(reading, value);
+}
+std::string read_value(const Reading& reading, Expressions& value) {
+  return formulas(reading, value);
+}
+std::string read_value(const Reading& reading, FieldExpressions& value) {
+  return formulas(reading, value);
 }
 
 std::string read_value(const Reading& reading, std::vector<double>& value) {
@@ -152,17 +179,6 @@ std::string read_value(const Reading& reading, Domain& value) {
   return read_value(reading, value.regions);
 }
 
-std::string read_value(const Reading& reading, Expressions& value) {
-  const auto parts = split_values(reading.text);
-  value.assign(parts.size(), {});
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::string fault = expression_fault(reading, parts[i], value[i]);
-    if (!fault.empty())
-      return with_separator(reading, parts.size(), of_part(parts[i], parts.size(), fault));
-  }
-  return list_fault(reading, parts);
-}
-
 std::string write_value(double value) {
   std::array<char, 32> text{};
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
@@ -176,6 +192,8 @@ std::string write_value(const Expression& value) { return value.text(); }
 std::string write_value(const std::vector<double>& value) { return joined(value, " "); }
 std::string write_value(const std::vector<std::string>& value) { return joined(value, " "); }
 std::string write_value(const Expressions& value) { return joined(value, "; "); }
+std::string write_value(const FieldExpression& value) { return value.text(); }
+std::string write_value(const FieldExpressions& value) { return joined(value, "; "); }
 std::string write_value(const Domain& value) { return write_value(value.regions); }
 
 std::string type_name(const double&) { return "number"; }
@@ -186,6 +204,8 @@ std::string type_name(const Expression&) { return "expression"; }
 std::string type_name(const std::vector<double>&) { return "list of numbers"; }
 std::string type_name(const std::vector<std::string>&) { return "list of names"; }
 std::string type_name(const Expressions&) { return "list of expressions"; }
+std::string type_name(const FieldExpression&) { return "expression of fields"; }
+std::string type_name(const FieldExpressions&) { return "list of expressions of fields"; }
 std::string type_name(const Domain& value) { return type_name(value.regions); }
 
 }  // namespace hawser

@@ -12,6 +12,7 @@
 
 #include "hawser/base/domain.hpp"
 #include "hawser/deck/expression.hpp"
+#include "hawser/deck/field_expression.hpp"
 #include "hawser/deck/location.hpp"
 #include "hawser/deck/rules.hpp"
 
@@ -36,6 +37,8 @@ std::string read_value(const Reading& reading, Expression& value);
 std::string read_value(const Reading& reading, std::vector<double>& value);
 std::string read_value(const Reading& reading, std::vector<std::string>& value);
 std::string read_value(const Reading& reading, Expressions& value);
+std::string read_value(const Reading& reading, FieldExpression& value);
+std::string read_value(const Reading& reading, FieldExpressions& value);
 std::string read_value(const Reading& reading, Domain& value);  ///< one or several regions
 
 /// Text that reads back as the same value; "" for an absent one.
@@ -47,6 +50,8 @@ std::string write_value(const Expression& value);
 std::string write_value(const std::vector<double>& value);
 std::string write_value(const std::vector<std::string>& value);
 std::string write_value(const Expressions& value);
+std::string write_value(const FieldExpression& value);
+std::string write_value(const FieldExpressions& value);
 std::string write_value(const Domain& value);
 
 /// What the reference manual calls the type.
@@ -58,6 +63,8 @@ std::string type_name(const Expression&);
 std::string type_name(const std::vector<double>&);
 std::string type_name(const std::vector<std::string>&);
 std::string type_name(const Expressions&);
+std::string type_name(const FieldExpression&);
+std::string type_name(const FieldExpressions&);
 std::string type_name(const Domain&);
 
 /// Located<T>: the value with its place.
@@ -100,6 +107,10 @@ template <>
 struct IsQuantity<std::vector<double>> : std::true_type {};
 template <>
 struct IsQuantity<Expressions> : std::true_type {};
+template <>
+struct IsQuantity<FieldExpression> : std::true_type {};
+template <>
+struct IsQuantity<FieldExpressions> : std::true_type {};
 template <class T>
 struct IsQuantity<Located<T>> : IsQuantity<T> {};
 template <class T>
