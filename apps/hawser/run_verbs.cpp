@@ -184,6 +184,22 @@ Verb check_verb(CLI::App& app) {
           })};
 }
 
+Verb jacobian_verb(CLI::App& app) {
+  auto* verb = app.add_subcommand(
+      "jacobian", "compare the tangent of every kernel of a deck with differences of its residual");
+  verb->footer(
+      "Example: hawser jacobian --plugin-dir build my.xml\n"
+      "Exit code 8 when a block is off by more than 1e-6 of its largest entry.");
+  const auto arguments = new_arguments(*verb);
+  verb->add_option("deck", arguments->file, "XML deck")->required();
+  add_changes(*verb, arguments->of_case.changes);
+  return {verb, OnRanks([arguments](Environment& environment) {
+            const TangentCheck check = check_tangents(case_of(*arguments, environment));
+            print(environment, check.text);
+            return static_cast<int>(check.holds ? ExitCode::done : ExitCode::expectation);
+          })};
+}
+
 /// Never over a file of the user's.
 void refuse_existing(const Communicator& world, const std::string& file) {
   world.on_root([&] {
@@ -217,7 +233,7 @@ Verb mesh_verb(CLI::App& app) {
 }  // namespace
 
 std::vector<Verb> run_verbs(CLI::App& app) {
-  return {run_verb(app), restart_verb(app), check_verb(app), mesh_verb(app)};
+  return {run_verb(app), restart_verb(app), check_verb(app), jacobian_verb(app), mesh_verb(app)};
 }
 
 }  // namespace hawser::program

@@ -28,7 +28,7 @@ struct Verb {
   std::variant<OnRanks, Alone> action;
 };
 
-std::vector<Verb> run_verbs(CLI::App& app);  ///< run, restart, check, mesh
+std::vector<Verb> run_verbs(CLI::App& app);  ///< run, restart, check, jacobian, mesh
 std::vector<Verb> converge_verbs(CLI::App& app);
 std::vector<Verb> deck_verbs(CLI::App& app);   ///< modules, describe, schema, new
 std::vector<Verb> info_verbs(CLI::App& app);   ///< info

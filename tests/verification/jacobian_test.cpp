@@ -5,6 +5,7 @@
 #include <map>
 
 #include "figure.hpp"
+#include "hawser/assembly/connect_properties.hpp"
 #include "hawser/mesh/generate.hpp"
 #include "hawser/mesh/mesh.hpp"
 #include "hawser/simulation/registries.hpp"
@@ -15,27 +16,50 @@ namespace {
 
 using Snippets = std::multimap<std::string, std::string>;
 
-/// A module's smallest deck, with every optional term switched on.
+/// Whose kernels those that only supply properties are tried in.
+const std::string water_and_heat =
+    R"x(<ale-fluid region="water" density="1000" viscosity="300"><outflow on="outflow" kind="pressure"/></ale-fluid>
+       <heat-transport region="water" capacity="4e6" conductivity="5"/>)x";
+
+/// A module's smallest deck, with every optional term switched on; further elements, with which it
+/// works together, behind it.
 const Snippets snippets = {
     {"ale-fluid",
-     R"(<ale-fluid region="water" density="1000" viscosity="300" body-force="0.3 -9.81">
+     R"x(<ale-fluid region="water" density="1000" viscosity="300" body-force="0.3 -9.81">
           <outflow on="outflow" kind="pressure" pressure="40" backflow="0.5"/>
           <outflow on="inflow" kind="traction-free" pressure="40" backflow="0.5"/>
-        </ale-fluid>)"},
+        </ale-fluid>)x"},
     {"ale-fluid",
-     R"(<ale-fluid region="water" density="1000" viscosity="300"
-                   body-force="20*sin(x + 0.5*y + t) - X; 10*x*y"/>)"},
+     R"x(<ale-fluid region="water" density="1000" viscosity="300"
+                   body-force="20*sin(x + 0.5*y + t) - X; 10*x*y"/>)x"},
     {"cable",
-     R"(<cable region="cable" axial-stiffness="1e7" bending-stiffness="1e5" damping="20"
+     R"x(<cable region="cable" axial-stiffness="1e7" bending-stiffness="1e5" damping="20"
                axial-damping="1e4" compressive-ratio="0.01" gravity="1 -9.81" clamped="tail"
                load="1e3*sin(x + 2*y + t); 200*X*y">
           <drag current="0.4*cos(y + t); 0.3 + 0.1*x" diameter="0.1" tangential-coefficient="0.4"/>
           <point-load on="tail" force="30*sin(2*x); 20*x*y"/>
-        </cable>)"},
-    {"mesh-motion", R"(<mesh-motion region="water" reference="incremental"/>)"},
-    {"mesh-motion", R"(<mesh-motion region="water" reference="total"/>)"},
-    {"mesh-motion", R"(<mesh-motion region="water" body-force="sin(x)*Y; 2*x*y"/>)"},
-    {"heat", R"(<heat region="water" capacity="4e6" conductivity="5"/>)"}};
+        </cable>)x"},
+    {"mesh-motion", R"x(<mesh-motion region="water" reference="incremental"/>)x"},
+    {"mesh-motion", R"x(<mesh-motion region="water" reference="total"/>)x"},
+    {"mesh-motion", R"x(<mesh-motion region="water" body-force="sin(x)*Y; 2*x*y"/>)x"},
+    {"mesh-motion", R"x(<mesh-motion region="water" stiffness="2 + x*dx(displacement_y)"/>)x"},
+    {"ale-fluid",
+     R"x(<ale-fluid region="water" density="1000 + 3*temperature" viscosity="300 + 2*temperature^2 + dx(temperature)"
+                   body-force="velocity_y*temperature; dy(temperature) - x"/>)x" + water_and_heat.substr(water_and_heat.find("<heat"))},
+    {"buoyancy", R"x(<buoyancy region="water" expansion="2e-4" reference="20"/>)x" + water_and_heat},
+    {"eddy-viscosity", R"x(<eddy-viscosity region="water" model="smagorinsky"/>)x" + water_and_heat},
+    {"eddy-viscosity",
+     R"x(<eddy-viscosity region="water" model="mixing-length" length="0.1 + 0.02*x*y"/>)x" + water_and_heat},
+    {"porous-zone", R"x(<porous-zone region="water" linear="0.3" quadratic="0.7"/>)x" + water_and_heat},
+    {"property",
+     R"x(<property name="viscosity" region="water" value="3*temperature^2" adds="true"/>)x" + water_and_heat},
+    {"heat-transport",
+     R"x(<heat-transport region="water" capacity="4e6 + temperature" conductivity="5 + 0.1*temperature"
+                        source="sin(temperature)*x"/>)x"},
+    {"scalar-transport",
+     R"x(<scalar-transport region="water" field="dye" unit="kg/m^3" diffusivity="0.5 + 0.01*dye^2"
+                          source="x*y - dye" decay="0.2 + 0.01*dx(dye)"/>)x"},
+    {"heat", R"x(<heat region="water" capacity="4e6" conductivity="5"/>)x"}};
 
 /// The same in space, for the modules that work there.
 const Snippets snippets_in_space = {
@@ -95,30 +119,37 @@ double check_kernel(Kernel& kernel, const Mesh& mesh, unsigned seed) {
   return worst_tangent_error(kernel, coordinates, seed);
 }
 
-/// All of a module's snippets, as they are for a mesh of that dimension.
-std::vector<PhysicsModule> make_modules(const ModuleRegistry& registry, const std::string& tag,
-                                        const Snippets& known, int dimension) {
-  std::vector<PhysicsModule> modules;
+/// Each of a module's snippets, as they are for a mesh of that dimension: it, and what works with it.
+std::vector<std::vector<PhysicsModule>> make_modules(const ModuleRegistry& registry,
+                                                     const std::string& tag, const Snippets& known,
+                                                     int dimension) {
+  std::vector<std::vector<PhysicsModule>> runs;
   const auto range = known.equal_range(tag);
   for (auto snippet = range.first; snippet != range.second; ++snippet) {
     Diagnostics diagnostics;
-    const Deck deck = parse_deck(snippet->second, tag, diagnostics);
-    modules.push_back(registry.find(tag)->make(deck.root, {dimension}, diagnostics));
+    const Deck deck = parse_deck("<modules>" + snippet->second + "</modules>", tag, diagnostics);
+    runs.emplace_back();
+    for (const DeckNode& node : deck.root.children)
+      runs.back().push_back(registry.find(node.tag)->make(node, {dimension}, diagnostics));
     EXPECT_TRUE(diagnostics.ok()) << diagnostics.error_text();
-    EXPECT_FALSE(modules.back().kernels.empty());
   }
-  return modules;
+  return runs;
 }
 
-void check_modules(const std::vector<PhysicsModule>& modules, const Mesh& mesh) {
+void check_modules(std::vector<std::vector<PhysicsModule>>& runs, const Mesh& mesh) {
   double worst = 0;
-  for (const PhysicsModule& module : modules)
-    for (const auto& kernel : module.kernels) {
-      ASSERT_EQ(kernel->dimension(), mesh.dimension);
-      for (unsigned seed = 1; seed <= 10; ++seed)
-        worst = std::max(worst, check_kernel(*kernel, mesh, seed));
-    }
-  const std::string& tag = modules.front().name;
+  for (std::vector<PhysicsModule>& modules : runs) {
+    Diagnostics diagnostics;
+    connect_properties(mesh, modules, diagnostics);
+    ASSERT_TRUE(diagnostics.ok()) << diagnostics.error_text();
+    for (const PhysicsModule& module : modules)
+      for (const auto& kernel : module.kernels) {
+        ASSERT_EQ(kernel->dimension(), mesh.dimension);
+        for (unsigned seed = 1; seed <= 10; ++seed)
+          worst = std::max(worst, check_kernel(*kernel, mesh, seed));
+      }
+  }
+  const std::string& tag = runs.front().front().name;
   const std::string where = mesh.dimension == 3 ? " in space" : "";
   record(
       {"jacobian." + tag + (mesh.dimension == 3 ? ".space" : ""), "Invariants",
@@ -131,11 +162,11 @@ TEST(Jacobian, IsTheDerivativeOfTheResidualInEveryRegisteredModule) {
   const ModuleRegistry registry = all_modules_there_are();
   for (const std::string& tag : registry.tags()) {
     SCOPED_TRACE("module <" + tag + ">");
-    const auto modules = make_modules(registry, tag, snippets, 2);
-    if (modules.empty())
+    auto runs = make_modules(registry, tag, snippets, 2);
+    if (runs.empty())
       ADD_FAILURE() << "give it a snippet in this test";
     else
-      check_modules(modules, mesh);
+      check_modules(runs, mesh);
   }
 }
 
@@ -144,14 +175,15 @@ TEST(Jacobian, IsTheDerivativeOfTheResidualInEveryModuleThatWorksInSpace) {
   const ModuleRegistry registry = all_modules_there_are();
   for (const std::string& tag : registry.tags()) {
     SCOPED_TRACE("module <" + tag + ">");
-    const auto in_space = make_modules(registry, tag, snippets_in_space, 3);
+    auto in_space = make_modules(registry, tag, snippets_in_space, 3);
     if (!in_space.empty()) {
       check_modules(in_space, mesh);
       continue;
     }
-    for (const PhysicsModule& module : make_modules(registry, tag, snippets, 3))
-      for (const auto& kernel : module.kernels)
-        EXPECT_EQ(kernel->dimension(), 2) << "give it a snippet in space in this test";
+    for (const auto& modules : make_modules(registry, tag, snippets, 3))
+      for (const PhysicsModule& module : modules)
+        for (const auto& kernel : module.kernels)
+          EXPECT_EQ(kernel->dimension(), 2) << "give it a snippet in space in this test";
   }
 }
 

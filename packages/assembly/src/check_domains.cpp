@@ -32,6 +32,11 @@ void check_domain(const Mesh& mesh, const PhysicsModule& module, const Kernel& k
   }
 }
 
+std::vector<CellShape> shapes_of_body(int dimension) {
+  if (dimension == 2) return {CellShape::triangle, CellShape::quadrilateral};
+  return {CellShape::tetrahedron, CellShape::hexahedron};
+}
+
 /// Cells on which a module works, by their sorted vertices; of this rank.
 std::set<std::vector<LocalIndex>> cells_of(const Mesh& mesh, const PhysicsModule& module) {
   std::set<std::vector<LocalIndex>> cells;
@@ -81,6 +86,9 @@ std::vector<Domain> domains_of(const std::vector<PhysicsModule>& modules) {
   for (const PhysicsModule& module : modules)
     for (const auto& kernel : module.kernels)
       domains.push_back(kernel->domain());
+  for (const PhysicsModule& module : modules)
+    for (const Supply& supply : module.supplies)
+      domains.push_back(supply.on);
   return domains;
 }
 
@@ -98,6 +106,11 @@ void check_domains(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
                                              std::to_string(mesh.dimension));
       break;
     }
+  for (const PhysicsModule& module : modules)
+    for (const Supply& supply : module.supplies)
+      for (const std::string& name : supply.on.regions)
+        find_region_of(shapes_of_body(mesh.dimension), mesh, {name, module.location},
+                       "module '" + module.name + "'", diagnostics);
   if (diagnostics.ok()) refuse_twice(mesh, modules, diagnostics);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "hawser/assembly/connect_properties.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/element/quadrature_degree.hpp"
 
@@ -28,6 +29,17 @@ void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& ce
       tabulate_cell(bases, quadrature(region.shape, quadrature_degree(region.shape, form))));
 }
 
+void find_suppliers(const Mesh& mesh, const Region& region, const Kernel& kernel,
+                    std::vector<char>& supplied) {
+  const auto& connections = kernel.properties().connections();
+  supplied.resize(static_cast<std::size_t>(region.size()) * connections.size());
+  for (std::size_t k = 0; k < connections.size(); ++k) {
+    const std::vector<char> holds = cells_within(mesh, region, connections[k].on);
+    for (std::size_t cell = 0; cell < holds.size(); ++cell)
+      supplied[cell * connections.size() + k] = holds[cell];
+  }
+}
+
 }  // namespace
 
 KernelCells resolve(const DofMap& dofs, const Governance& governance, const PhysicsModule& module,
@@ -50,6 +62,7 @@ KernelCells resolve(const DofMap& dofs, const Governance& governance, const Phys
       cells.levels.push_back(static_cast<int>(cells.fields.size()) - 1);
   }
   bind_shapes(dofs, region, cells, kernel);
+  find_suppliers(dofs.mesh(), region, kernel, cells.supplied);
   int unknowns = 0;
   for (std::size_t f = 0; f < cells.fields.size(); ++f) {
     const FieldUse& use = kernel.fields()[f];
@@ -117,12 +130,16 @@ CellGatherer::CellGatherer(const KernelCells& cells, const Mesh& mesh, const Sta
         {&value_[first], &rate_[first], &accepted_[first], &slope_[first], &partner_[first]});
   }
   input_ = {state.time,    state.step,  coordinates_.data(), fields_.data(), nullptr,
-            state.elapsed, state.share, state.bounds_energy, false};
+            state.elapsed, state.share, state.bounds_energy, false,
+            nullptr};
 }
 
 const CellInput& CellGatherer::gather(LocalIndex cell) {
   const std::size_t n = value_.size();
   if (!cells_.held.empty()) input_.held = cells_.held[static_cast<std::size_t>(cell)] != 0;
+  if (!cells_.supplied.empty())
+    input_.supplied = &cells_.supplied[static_cast<std::size_t>(cell) *
+                                       cells_.kernel->properties().connections().size()];
   const LocalIndex* const rows = &cells_.rows[static_cast<std::size_t>(cell) * n];
   for (std::size_t i = 0; i < n; ++i) {
     if (rows[i] < 0) {

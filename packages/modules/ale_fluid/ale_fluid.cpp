@@ -1,8 +1,7 @@
 #include "ale_fluid.hpp"
 
-#include <algorithm>
-
 #include "fluid_kernel.hpp"
+#include "hawser/physics/formula_property.hpp"
 #include "hawser/physics/module_registry.hpp"
 #include "outflow_kernel.hpp"
 
@@ -33,9 +32,8 @@ struct Outflow {
 
 struct AleFluid {
   Domain region;
-  double density = 1000;
-  double viscosity = 1;
-  Expressions body_force = {0, 0};
+  FieldExpressions density = {1000};
+  FieldExpressions viscosity, body_force;
   std::vector<Outflow> outflows;
 
   static Spec<AleFluid> spec() {
@@ -46,33 +44,34 @@ struct AleFluid {
                    "SUPG, PSPG and LSIC stabilisation.")
         .source("packages/modules/ale_fluid/theory.md")
         .attribute("region", &P::region, required(), "Regions that the fluid fills.")
-        .attribute("density", &P::density, "kg/m^3", positive(), "Mass density.")
-        .attribute("viscosity", &P::viscosity, "Pa s", required() && positive(),
-                   "Dynamic viscosity (density times the kinematic, or eddy, viscosity).")
-        .attribute("body-force", &P::body_force, "m/s^2", any() && length(2),
+        .attribute("density", &P::density, "kg/m^3", positive() && length(1), "Mass density.")
+        .attribute("viscosity", &P::viscosity, "Pa s",
+                   positive() && length(1) && absent("what other modules supply"),
+                   "Dynamic viscosity (density times the kinematic one). A number or, as density "
+                   "and body force, an expression of place, time, fields (temperature, velocity_x) "
+                   "and their derivatives (dx(velocity_y)).")
+        .attribute("body-force", &P::body_force, "m/s^2", any() && length(2) && absent("none"),
                    "Body force per unit mass: two numbers or expressions of x y z (moved), X Y Z "
-                   "(reference), t.")
+                   "(reference), t, fields and their derivatives.")
         .children(&P::outflows);
   }
 };
 
-std::unique_ptr<Kernel> make_fluid_kernel(const AleFluid& deck) {
-  const FluidProperties fluid{deck.density, deck.viscosity};
-  const Expressions& force = deck.body_force;
-  if (std::all_of(force.begin(), force.end(), [](const auto& f) { return f.is_constant(); }))
-    return std::make_unique<FluidKernel<2, UniformForce<2>>>(
-        deck.region, fluid, UniformForce<2>{{force[0]({}), force[1]({})}});
-  return std::make_unique<FluidKernel<2, VaryingForce>>(deck.region, fluid, VaryingForce{force});
-}
-
 PhysicsModule make_ale_fluid(const AleFluid& deck) {
+  const GivenProperty density{property::density, deck.density};
+  const GivenProperty viscosity{property::viscosity, deck.viscosity};
+  const GivenProperty force{property::body_force<2>, deck.body_force};
   PhysicsModule module{"ale-fluid", "fluid", {}, {}};
-  module.kernels.push_back(make_fluid_kernel(deck));
+  module.kernels.push_back(std::make_unique<FluidKernel<2>>(
+      deck.region, std::vector<PropertyConstant>{density.constant(), viscosity.constant(),
+                                                 std::nullopt, force.constant()}));
   for (const Outflow& outflow : deck.outflows)
     module.kernels.push_back(std::make_unique<OutflowKernel>(
         Domain::facets(outflow.on),
-        OutflowProperties{outflow.pressure, deck.density, deck.viscosity, outflow.keeps_poiseuille,
-                          outflow.backflow}));
+        std::vector<PropertyConstant>{density.constant(), viscosity.constant(), std::nullopt},
+        OutflowTraction{outflow.pressure, outflow.keeps_poiseuille, outflow.backflow}));
+  for (const GivenProperty& given : {density, viscosity, force})
+    given.supply(deck.region, 2, module.supplies);
   return module;
 }
 

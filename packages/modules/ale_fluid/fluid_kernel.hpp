@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "hawser/physics/cell_metric.hpp"
 #include "hawser/physics/moving_point_kernel.hpp"
 
 namespace hawser {
@@ -161,8 +162,7 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D>> {
   };
 
   /// tau_M = (c.G c + C nu^2 G:G)^-1/2,  tau_C = w (c.G c + C nu^2 G:G)^1/2 / tr G.
-  /// G is the metric of the moved cell, 4/h^2 for an equilateral one or a square of edge h: it is
-  /// taken from the regular cell, so that the numbering of vertices does not matter. The step
+  /// G is the metric of the moved cell, 4/h^2 for an equilateral one or a square of edge h. The step
   /// stays out of both: the subscale has a rate of its own, and in tau_C short steps would lock the
   /// volume of the cells at a sharp edge and raise the drag.
   template <class T, class Point>
@@ -173,53 +173,14 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D>> {
     constexpr double continuity_weight = 0.25;
     using P = std::decay_t<decltype(at[viscosity])>;
     const P nu = at[viscosity] / at[density] + at[eddy_viscosity];
-    const Tensor<T, D> to_cell = at.inverse_jacobian();
-    Tensor<T, D> metric;
-    if (at.reference.shape->simplex)
-      simplex_metric(to_cell, metric);
-    else
-      cube_metric(to_cell, metric);
-    T metric_squared = 0.0;
-    for (int i = 0; i < D; ++i)
-      for (int j = i; j < D; ++j)
-        metric_squared += (i == j ? 1.0 : 2.0) * metric(i, j) * metric(i, j);
+    const Tensor<T, D> metric = cell_metric(at);
     const Vector<T, D> metric_c = multiply(metric, convection);
-    const T steady = dot(convection, metric_c) + inverse_estimate * nu * nu * metric_squared;
+    const T steady = dot(convection, metric_c) + inverse_estimate * nu * nu * squared(metric);
     using std::sqrt;
     Scales<T> scales;
     scales.momentum = 1.0 / sqrt(steady);
     scales.continuity = continuity_weight * sqrt(steady) / trace(metric);
     return scales;
-  }
-
-  /// Of the map from the regular simplex of edge 2: sum_kl 2 (1 + delta_kl) dxi_k/dx dxi_l/dx.
-  template <class T>
-  static void simplex_metric(const Tensor<T, D>& to_cell, Tensor<T, D>& metric) {
-    for (int i = 0; i < D; ++i)
-      for (int j = i; j < D; ++j) {
-        T sum_i = to_cell(0, i);
-        T sum_j = to_cell(0, j);
-        T sum = to_cell(0, i) * to_cell(0, j);
-        for (int k = 1; k < D; ++k) {
-          sum += to_cell(k, i) * to_cell(k, j);
-          sum_i += to_cell(k, i);
-          sum_j += to_cell(k, j);
-        }
-        metric(i, j) = 2.0 * (sum + sum_i * sum_j);
-        metric(j, i) = metric(i, j);
-      }
-  }
-
-  /// Of the map from the square or cube of edge 2: sum_k 4 dxi_k/dx dxi_k/dx.
-  template <class T>
-  static void cube_metric(const Tensor<T, D>& to_cell, Tensor<T, D>& metric) {
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) {
-        T sum = to_cell(0, i) * to_cell(0, j);
-        for (int k = 1; k < D; ++k)
-          sum += to_cell(k, i) * to_cell(k, j);
-        metric(i, j) = 4.0 * sum;
-      }
   }
 };
 

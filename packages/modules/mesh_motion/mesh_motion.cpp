@@ -1,5 +1,6 @@
 #include "mesh_motion.hpp"
 
+#include "hawser/physics/formula_property.hpp"
 #include "hawser/physics/module_registry.hpp"
 #include "mesh_motion_kernel.hpp"
 
@@ -8,7 +9,7 @@ namespace {
 
 struct MeshMotion : MeshStiffness {
   Domain region;
-  Expressions body_force;
+  FieldExpressions body_force, stiffness;
 
   static Spec<MeshMotion> spec() {
     using P = MeshMotion;
@@ -24,6 +25,10 @@ struct MeshMotion : MeshStiffness {
                    "Young's modulus goes with the cell's area to minus this power.")
         .attribute("poisson-ratio", &P::poisson, "1", between(0, 0.49),
                    "Poisson's ratio of the mesh.")
+        .attribute("stiffness", &P::stiffness, "1",
+                   positive() && length(1) && absent("what other modules supply, or 1"),
+                   "Factor of Young's modulus: a number or an expression of x y z (moved), X Y Z "
+                   "(reference), t, fields and their derivatives.")
         .attribute("body-force", &P::body_force, "1/m", any() && length(2) && absent("none"),
                    "Force per volume over the local Young's modulus, for manufactured solutions: "
                    "two expressions of x y z (moved), X Y Z (reference), t.");
@@ -31,13 +36,14 @@ struct MeshMotion : MeshStiffness {
 };
 
 PhysicsModule make_mesh_motion(const MeshMotion& deck) {
+  const GivenProperty stiffness{property::mesh_stiffness, deck.stiffness};
+  const GivenProperty load{mesh_load<2>, deck.body_force};
   PhysicsModule module{"mesh-motion", "mesh", {}, {}};
-  if (deck.body_force.empty())
-    module.kernels.push_back(
-        std::make_unique<MeshMotionKernel<2, NoLoad>>(deck.region, deck, NoLoad{}));
-  else
-    module.kernels.push_back(std::make_unique<MeshMotionKernel<2, MeshLoad>>(
-        deck.region, deck, MeshLoad{deck.body_force}));
+  module.kernels.push_back(std::make_unique<MeshMotionKernel<2>>(
+      deck.region, deck,
+      std::vector<PropertyConstant>{stiffness.constant(), load.constant()}));
+  for (const GivenProperty& given : {stiffness, load})
+    given.supply(deck.region, 2, module.supplies);
   return module;
 }
 

@@ -16,7 +16,7 @@ struct MeshStiffness {
 
 /// Force per volume over the local Young's modulus, 1/m.
 template <int D>
-constexpr PropertyUse mesh_load{"mesh load", "1/m", D};
+constexpr PropertyUse mesh_load{"mesh load", "1/m", D, 0.0};
 
 template <int D>
 class MeshMotionKernel : public MovingPointKernel<MeshMotionKernel<D>> {
@@ -30,9 +30,9 @@ class MeshMotionKernel : public MovingPointKernel<MeshMotionKernel<D>> {
   static constexpr PropertySlot<0> factor{};
   static constexpr PropertySlot<1> load{};
 
-  MeshMotionKernel(Domain domain, const MeshStiffness& stiffness)
-      : MovingPointKernel<MeshMotionKernel>(
-            std::move(domain), {std::vector<double>{1.0}, std::vector<double>(D, 0.0)}),
+  MeshMotionKernel(Domain domain, const MeshStiffness& stiffness,
+                   std::vector<PropertyConstant> constants = {})
+      : MovingPointKernel<MeshMotionKernel>(std::move(domain), std::move(constants)),
         stiffness_(stiffness) {}
 
   /// The configuration about which the mesh is elastic, not the present one.

@@ -13,10 +13,13 @@ KernelProperties::KernelProperties(std::vector<PropertyUse> uses,
     first_.push_back(components_);
     components_ += uses_[p].components;
     start_.resize(static_cast<std::size_t>(components_), 0.0);
-    if (constants_[p])
-      std::copy_n(constants_[p]->begin(), uses_[p].components, start_.end() - uses_[p].components);
+    otherwise_.resize(start_.size(), uses_[p].otherwise.value_or(0.0));
+    values_.resize(start_.size(), uses_[p].otherwise.value_or(0.0));
+    if (!constants_[p]) continue;
+    for (auto* values : {&start_, &values_})
+      std::copy_n(constants_[p]->begin(), uses_[p].components,
+                  values->end() - uses_[p].components);
   }
-  values_ = start_;
 }
 
 void KernelProperties::connect(std::size_t property, const Supply& supply,
@@ -67,10 +70,12 @@ bool KernelProperties::evaluate(const CellInput& cell, bool with_slopes) const {
   if (!supplied()) return true;
   for (int q = 0; q < points_; ++q)
     std::copy(start_.begin(), start_.end(), values_.begin() + q * components_);
+  given_.assign(uses_.size(), 0);
   if (with_slopes) std::fill(slopes_.begin(), slopes_.end(), 0.0);
   for (std::size_t k = 0; k < connections_.size(); ++k) {
     if (cell.supplied != nullptr && cell.supplied[k] == 0) continue;
     const Connection& connection = connections_[k];
+    given_[connection.property] = 1;
     for (std::size_t f = 0; f < connection.fields.size(); ++f)
       part_fields_[f] = cell.fields[connection.fields[f]];
     CellInput part = cell;
@@ -91,6 +96,11 @@ bool KernelProperties::evaluate(const CellInput& cell, bool with_slopes) const {
           sum[connection.columns[static_cast<std::size_t>(i)]] += slope[i];
       }
   }
+  for (std::size_t p = 0; p < uses_.size(); ++p)
+    if (!constants_[p] && given_[p] == 0)
+      for (int q = 0; q < points_; ++q)
+        std::copy_n(otherwise_.begin() + first_[p], uses_[p].components,
+                    values_.begin() + q * components_ + first_[p]);
   return true;
 }
 

@@ -1,18 +1,28 @@
 #include "hawser/simulation/registries.hpp"
 
 #include "ale_fluid.hpp"
+#include "buoyancy.hpp"
 #include "cable.hpp"
+#include "eddy_viscosity.hpp"
 #include "hawser/physics/plugin_loader.hpp"
 #include "mesh_motion.hpp"
+#include "porous_zone.hpp"
+#include "property.hpp"
 #include "tow.hpp"
+#include "transport.hpp"
 
 namespace hawser {
 
 Registries built_in() {
   Registries known;
   register_ale_fluid(known.modules);
+  register_buoyancy(known.modules);
   register_cable(known.modules);
+  register_eddy_viscosity(known.modules);
   register_mesh_motion(known.modules);
+  register_porous_zone(known.modules);
+  register_property(known.modules);
+  register_transport(known.modules);
   register_tow(known.reports);
   register_reports(known.reports);
   return known;

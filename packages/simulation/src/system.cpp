@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "hawser/assembly/check_domains.hpp"
+#include "hawser/assembly/connect_properties.hpp"
 #include "hawser/fields/look_up.hpp"
 #include "hawser/report/expectations.hpp"
 #include "hawser/simulation/run_deck.hpp"
@@ -86,6 +87,8 @@ std::unique_ptr<System> build_system(const Case& run_case, const std::string& me
   system->notes = system->mesh.notes;
   Diagnostics diagnostics;
   check_domains(system->mesh, system->modules, diagnostics);
+  diagnostics.throw_if_any();
+  connect_properties(system->mesh, system->modules, diagnostics);
   diagnostics.throw_if_any();
 
   system->table = gather_fields(system->modules, deck.fields);

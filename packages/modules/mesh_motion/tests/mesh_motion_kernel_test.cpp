@@ -17,7 +17,7 @@ template <int D>
 double worst_error(CellShape shape, Basis basis, const std::vector<double>& coordinates) {
   double worst = 0;
   for (const bool incremental : {true, false}) {
-    MeshMotionKernel<D, NoLoad> kernel("water", {incremental, 1, 0.3}, {});
+    MeshMotionKernel<D> kernel("water", {incremental, 1, 0.3});
     kernel.bind(tabulate_cell({basis}, quadrature(shape, 2)));
     for (unsigned seed = 1; seed < 4; ++seed)
       worst = std::max(worst, worst_tangent_error(kernel, coordinates, seed));
@@ -44,7 +44,7 @@ std::vector<double> residual_of(const Kernel& kernel, const std::vector<double>&
 }
 
 TEST(MeshMotionKernel, ATranslationCostsNothing) {
-  MeshMotionKernel<3, NoLoad> kernel("water", {}, {});
+  MeshMotionKernel<3> kernel("water", {});
   kernel.bind(tabulate_cell({Basis::p1}, quadrature(CellShape::tetrahedron, 0)));
   for (const double force : residual_of(kernel, tetrahedron, {1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3}))
     EXPECT_NEAR(force, 0, 1e-12);
@@ -55,7 +55,7 @@ TEST(MeshMotionKernel, ATranslationCostsNothing) {
 // 2^(D - 1) 2^(-D power) under the same strain.
 template <int D>
 void check_stiffening(CellShape shape, const std::vector<double>& coordinates, double power) {
-  MeshMotionKernel<D, NoLoad> kernel("water", {true, power, 0.3}, {});
+  MeshMotionKernel<D> kernel("water", {true, power, 0.3});
   kernel.bind(tabulate_cell({Basis::p1}, quadrature(shape, 0)));
   std::vector<double> large = coordinates, stretched(coordinates.size(), 0);
   for (double& x : large)
@@ -77,7 +77,7 @@ TEST(MeshMotionKernel, SmallCellsAreStiff) {
 
 // The factor in front is that of the cell's own measure, not of a triangle's.
 TEST(MeshMotionKernel, AUnitCubeHasUnitStiffness) {
-  MeshMotionKernel<2, NoLoad> kernel("water", {true, 1, 0}, {});
+  MeshMotionKernel<2> kernel("water", {true, 1, 0});
   kernel.bind(tabulate_cell({Basis::p1}, quadrature(CellShape::quadrilateral, 2)));
   const auto forces = residual_of(kernel, {0, 0, 1, 0, 1, 1, 0, 1}, {0, 0, 0.1, 0, 0.1, 0, 0, 0});
   EXPECT_NEAR(forces[2] + forces[4], 0.1, 1e-14);  // stress E 0.1 over a side of 1

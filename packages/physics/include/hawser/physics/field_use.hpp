@@ -111,7 +111,7 @@ constexpr const char* pressure = "pressure";
 constexpr const char* displacement = "displacement";  ///< the one field that moves the mesh
 }  // namespace field_name
 
-/// The fields of the towed-cable system in D dimensions.
+/// Fields that several modules share, in D dimensions.
 template <int D>
 struct StandardFields {
   static constexpr const char* force = D == 2 ? "N/m" : "N";
@@ -120,6 +120,8 @@ struct StandardFields {
       FieldUse{field_name::pressure, "Pa", "m^2/s", 1, RateRule::none}
           .wishing(Numbering::sides)
           .with_level();
+  static constexpr FieldUse temperature{"temperature", "K", D == 2 ? "W/m" : "W", 1,
+                                        RateRule::dynamic};
   static constexpr FieldUse displacement =
       FieldUse{field_name::displacement, "m",         "m",         D,
                RateRule::quotient,       Role::reads, need::value, field_name::velocity}

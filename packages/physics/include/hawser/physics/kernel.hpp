@@ -3,6 +3,7 @@
 //
 // A cell's unknowns are ordered field by field (in the order of fields()), then node by node, then
 // by component. All arrays are plain; one virtual call per cell, none per quadrature point.
+#include <list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "hawser/base/domain.hpp"
 #include "hawser/deck/location.hpp"
 #include "hawser/element/tabulation.hpp"
+#include "hawser/physics/cell_input.hpp"
 #include "hawser/physics/field_use.hpp"
 #include "hawser/physics/kernel_properties.hpp"
 
@@ -112,10 +114,22 @@ class Kernel {
 
  protected:
   KernelProperties& own_properties() { return properties_; }
+  /// For a field that a deck names.
+  void name_field(std::size_t field, const std::string& name, const std::string& unit,
+                  const std::string& residual_unit) {
+    const auto kept = [this](const std::string& text) {
+      names_.push_back(text);
+      return names_.back().c_str();
+    };
+    fields_[field].name = kept(name);
+    fields_[field].unit = kept(unit);
+    fields_[field].residual_unit = kept(residual_unit);
+  }
 
  private:
   Domain domain_;
   std::vector<FieldUse> fields_;
+  std::list<std::string> names_;  // of fields that a deck names
   KernelProperties properties_;
 };
 

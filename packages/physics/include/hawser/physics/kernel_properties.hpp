@@ -1,5 +1,6 @@
 #pragma once
 // The properties of one kernel: constants, sources, and their values on one cell.
+#include <list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,12 @@ class KernelProperties {
   KernelProperties(std::vector<PropertyUse> uses, std::vector<PropertyConstant> constants);
 
   const std::vector<PropertyUse>& uses() const { return uses_; }
+  /// For the properties of a field that a deck names.
+  void rename(std::size_t property, const std::string& name) {
+    names_.push_back(name);
+    uses_[property].name = names_.back().c_str();
+  }
+  /// The module gives a constant.
   bool has_constant(std::size_t property) const { return constants_[property].has_value(); }
   const std::vector<Connection>& connections() const { return connections_; }
   bool supplied() const { return !connections_.empty(); }
@@ -53,15 +60,18 @@ class KernelProperties {
 
  private:
   std::vector<PropertyUse> uses_;
+  std::list<std::string> names_;  // of those that a deck names
   std::vector<PropertyConstant> constants_;
   std::vector<int> first_;  // component of each property
   int components_ = 0;
   std::vector<Connection> connections_;
   int points_ = 1, unknowns_ = 0;
-  std::vector<double> start_;  // [component]: the constants, zero for others
+  // [component]: the constants, zero for others; and the values where nobody gives any.
+  std::vector<double> start_, otherwise_;
   // Of the cell evaluated last; those of one source before they are added.
   mutable std::vector<double> values_, slopes_, part_, part_slopes_;
   mutable std::vector<FieldOnCell> part_fields_;
+  mutable std::vector<char> given_;  // [property]
 };
 
 }  // namespace hawser

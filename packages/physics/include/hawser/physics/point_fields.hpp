@@ -34,6 +34,13 @@ struct add_need_rate_to_the_uses_of_this_field {};
 struct add_need_gradient_to_the_uses_of_this_field {};
 struct add_need_accepted_to_the_uses_of_this_field {};
 
+template <std::size_t N>
+constexpr bool all_described(const std::array<FieldUse, N>& uses) {
+  for (std::size_t f = 0; f < N; ++f)
+    if (uses[f].name == nullptr) return false;
+  return true;
+}
+
 namespace detail {
 constexpr int max_nodes = 27;      // of one field on one cell: quadratic hexahedron
 constexpr int max_unknowns = 192;  // of one cell
@@ -153,11 +160,10 @@ class PointFields {
 
  protected:
   /// T: the number of fields, P: that of properties.
-  template <class T, class P = double,
-            class Index = std::make_index_sequence<Derived::uses.size()>>
-  struct PointOf;
+  template <class T, class P, class Index>
+  struct PointAt;
   template <class T, class P, std::size_t... I>
-  struct PointOf<T, P, std::index_sequence<I...>> : CellGeometry<Derived::dimension> {
+  struct PointAt<T, P, std::index_sequence<I...>> : CellGeometry<Derived::dimension> {
     using Number = T;
     static constexpr int dimension = Derived::dimension;
     std::tuple<FieldAtPoint<T, Derived::uses[I].components, Derived::dimension,
@@ -182,6 +188,11 @@ class PointFields {
     }
   };
 
+  template <class T, class P>
+  static auto point() {
+    return PointAt<T, P, std::make_index_sequence<Derived::uses.size()>>();
+  }
+
   template <class At>
   void enter(const CellInput& cell, At& at) const {
     at.time = cell.time;
@@ -202,7 +213,7 @@ class PointFields {
                 const double* derivative, double* line) const;
 
   /// First unknown of each field, and their number.
-  std::array<int, Derived::uses.size() + 1> offsets() const {
+  auto offsets() const {
     std::array<int, Derived::uses.size() + 1> offset{};
     for (std::size_t f = 0; f < Derived::uses.size(); ++f)
       offset[f + 1] = offset[f] + table_.fields[f].nodes * Derived::uses[f].components;

@@ -55,7 +55,10 @@ class PointKernel : public Kernel, public PointFields<Derived> {
 
   explicit PointKernel(Domain domain, std::vector<PropertyConstant> constants = {})
       : Kernel(std::move(domain), {Derived::uses.begin(), Derived::uses.end()},
-               {Derived::properties.begin(), Derived::properties.end()}, std::move(constants)) {}
+               {Derived::properties.begin(), Derived::properties.end()}, std::move(constants)) {
+    static_assert(all_described(Derived::uses),
+                  "uses is longer than the list of fields given to it");
+  }
 
   int dimension() const override { return Derived::dimension; }
   std::vector<CellShape> shapes() const override {

@@ -21,7 +21,7 @@ void PointKernel<Derived>::load_properties(int q, At& at) const {
 template <class Derived>
 template <class Visit>
 void PointKernel<Derived>::at_points(const CellInput& cell, Visit&& visit) const {
-  typename PointFields<Derived>::template PointOf<double> at;
+  auto at = this->template point<double, double>();
   detail::ShapeGradients<Derived> gradients;
   this->enter(cell, at);
   supplies().evaluate(cell, false);
@@ -55,7 +55,7 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, double* residua
   std::fill(residual, residual + n, 0.0);
   if (tangent != nullptr) std::fill(tangent, tangent + n * n, 0.0);
 
-  typename PointFields<Derived>::template PointOf<T, P> at;
+  auto at = this->template point<T, P>();
   this->enter(cell, at);
   if (!supplies().evaluate(cell, with_slopes)) return CellStatus::inverted;
 

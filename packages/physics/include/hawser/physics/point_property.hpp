@@ -19,7 +19,10 @@ class PointProperty : public PropertySource, public PointFields<Derived> {
   static constexpr std::array<PropertyUse, 0> properties{};
   using PointFields<Derived>::directions;
 
-  PointProperty() : PropertySource({Derived::uses.begin(), Derived::uses.end()}) {}
+  PointProperty() : PropertySource({Derived::uses.begin(), Derived::uses.end()}) {
+    static_assert(all_described(Derived::uses),
+                  "uses is longer than the list of fields given to it");
+  }
 
   int dimension() const override { return Derived::dimension; }
   PropertyUse property() const override { return Derived::supplies; }
@@ -69,7 +72,7 @@ bool PointProperty<Derived>::evaluate_as(const CellInput& cell, double* values,
   constexpr int components = Derived::supplies.components;
   const auto offset = this->offsets();
   const int n = offset.back();
-  typename PointFields<Derived>::template PointOf<T> at;
+  auto at = this->template point<T, double>();
   detail::ShapeGradients<Derived> gradients;
   this->enter(cell, at);
   for (int q = 0; q < this->table_.rule.points; ++q) {

@@ -6,11 +6,13 @@
 // supply them (Supply); contributions that add are summed. What a source reads becomes a field of
 // the kernel that uses it, and its derivatives reach that kernel's tangent: Jacobians stay exact.
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "hawser/base/domain.hpp"
+#include "hawser/deck/diagnostics.hpp"
 #include "hawser/element/tabulation.hpp"
 #include "hawser/physics/cell_input.hpp"
 #include "hawser/physics/field_use.hpp"
@@ -21,6 +23,8 @@ struct PropertyUse {
   const char* name;  ///< as in decks: "body force"
   const char* unit;
   int components = 1;
+  /// Of every component where nobody gives it; nothing: it must be given.
+  std::optional<double> otherwise{};
 };
 
 /// The properties that shipped modules use or supply.
@@ -28,10 +32,10 @@ namespace property {
 constexpr PropertyUse density{"density", "kg/m^3"};
 constexpr PropertyUse viscosity{"viscosity", "Pa s"};
 /// Kinematic: the density of the fluid where it flows is the user's of this one.
-constexpr PropertyUse eddy_viscosity{"eddy viscosity", "m^2/s"};
-constexpr PropertyUse mesh_stiffness{"mesh stiffness", "1"};
+constexpr PropertyUse eddy_viscosity{"eddy viscosity", "m^2/s", 1, 0.0};
+constexpr PropertyUse mesh_stiffness{"mesh stiffness", "1", 1, 1.0};
 template <int D>
-constexpr PropertyUse body_force{"body force", "m/s^2", D};  ///< per mass
+constexpr PropertyUse body_force{"body force", "m/s^2", D, 0.0};  ///< per mass
 }  // namespace property
 
 /// The law of a property, evaluated at all points of a cell by one call.
@@ -43,13 +47,14 @@ class PropertySource {
 
   const std::vector<FieldUse>& fields() const { return fields_; }  ///< all of them only read
   virtual int dimension() const = 0;
+  /// An empty unit is that of whoever uses it.
   virtual PropertyUse property() const = 0;
   /// Every user has a copy: each is bound to other points.
   virtual std::unique_ptr<PropertySource> clone() const = 0;
 
   /// Once, before fields() is looked at: the fields of the run, for a law that a deck gives in
-  /// fields by name. Returns what is wrong with a name, or "".
-  virtual std::string resolve(const std::vector<FieldUse>& /*run*/) { return ""; }
+  /// fields by name.
+  virtual void resolve(const std::vector<FieldUse>& /*run*/, Diagnostics& /*diagnostics*/) {}
   /// Once, with the shapes of fields() at the points where the property is wanted.
   virtual void bind(const CellTabulation& table) = 0;
   /// `cell.fields` in the order of fields(). values[point][component]; slopes, unless null,

@@ -30,6 +30,15 @@ std::string check_with_mesh(const Case& run_case);
 /// Writes nothing. Collective; the text is rank 0's.
 std::string preview(const Case& run_case);
 
+struct TangentCheck {
+  std::string text;  ///< a line per kernel and pair of fields with the worst relative difference
+  bool holds = true;
+};
+
+/// Compares the tangent of every kernel, in random admissible states of up to 20 cells of this
+/// rank, with central differences of its residual. Collective.
+TangentCheck check_tangents(const Case& run_case);
+
 /// Makes the case's mesh as `file`, unless it is a file already, and says what it is like.
 /// Collective; MeshError on all ranks.
 std::string make_mesh(const Case& run_case, const std::string& file);

@@ -1,0 +1,56 @@
+#pragma once
+// A property as a deck gives it: formulas of place, time and fields.
+#include "hawser/deck/field_expression.hpp"
+#include "hawser/physics/property.hpp"
+
+namespace hawser {
+
+class FormulaProperty : public PropertySource {
+ public:
+  /// One formula per component.
+  FormulaProperty(const PropertyUse& property, int dimension, FieldExpressions formulas);
+  /// Of a name from a deck, in the unit of whoever uses it.
+  FormulaProperty(std::string name, int dimension, FieldExpressions formulas);
+
+  int dimension() const override { return dimension_; }
+  PropertyUse property() const override {
+    return {name_.c_str(), unit_.c_str(), static_cast<int>(formulas_.size())};
+  }
+  std::unique_ptr<PropertySource> clone() const override {
+    return std::make_unique<FormulaProperty>(*this);
+  }
+  void resolve(const std::vector<FieldUse>& run, Diagnostics& diagnostics) override;
+  void bind(const CellTabulation& table) override;
+  bool evaluate(const CellInput& cell, double* values, double* slopes) const override;
+
+ private:
+  struct Reading {
+    std::size_t field = 0;
+    int component = 0;
+    int along = -1;
+  };
+  template <int D>
+  bool evaluate_in(const CellInput& cell, double* values, double* slopes) const;
+
+  std::string name_, unit_;
+  int dimension_;
+  FieldExpressions formulas_;
+  std::vector<std::vector<Reading>> readings_;  // [component][reference]
+  int displacement_ = -1;                       // among fields(); -1: no formula asks for it
+  CellTabulation table_;
+  std::vector<int> first_;  // unknown of each field, and their number
+};
+
+/// What a module is given for one of its properties in its deck: a constant, or a supply that adds.
+struct GivenProperty {
+  PropertyUse property;
+  FieldExpressions formulas;  ///< empty: not given
+
+  bool is_constant() const;
+  /// Nothing where it is not given; zeros, to which the supply adds, where it is a formula.
+  std::optional<std::vector<double>> constant() const;
+  /// Adds the supply to `supplies` where it is a formula.
+  void supply(const Domain& on, int dimension, std::vector<Supply>& supplies) const;
+};
+
+}  // namespace hawser
