@@ -17,7 +17,7 @@ FieldSampler::FieldSampler(const DofMap& dofs, const Region& region, Quadrature 
   for (const int index : fields) {
     const FieldDescription& field = dofs.fields()[static_cast<std::size_t>(index)];
     fields_.push_back(
-        {index, static_cast<std::size_t>(field.components), tabulate(field.basis, points_), {}});
+        {index, static_cast<std::size_t>(field.components), tabulate(field.basis, points_), {}, true});
   }
 }
 
@@ -25,6 +25,7 @@ void FieldSampler::gather(Field& field, LocalIndex cell, const State& state) {
   rows_.clear();
   dofs_.append_cell_rows(field.index, region_, cell, rows_);
   field.values.assign(rows_.size() * field.components, 0);
+  field.lives = std::find(rows_.begin(), rows_.end(), -1) == rows_.end();
   for (std::size_t a = 0; a < rows_.size(); ++a)
     for (std::size_t c = 0; rows_[a] >= 0 && c < field.components; ++c)
       field.values[a * field.components + c] = state.value[static_cast<std::size_t>(rows_[a]) + c];

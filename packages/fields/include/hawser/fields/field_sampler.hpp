@@ -31,6 +31,8 @@ class FieldSampler {
   Vector<double, 3> moved(const double* dxi) const;
   /// Of the field fields[k]; 0 from nodes where it is not solved for.
   double value(std::size_t k, int component) const;
+  /// Whether all of that field is there in the cell.
+  bool lives_here(std::size_t k) const { return fields_[k].lives; }
   /// By the moved position x, y or z; on cells that fill the space.
   double derivative(std::size_t k, int component, int along) const;
 
@@ -40,6 +42,7 @@ class FieldSampler {
     std::size_t components;
     Tabulation shapes;
     std::vector<double> values;  // [node][component]
+    bool lives = true;
   };
   void gather(Field& field, LocalIndex cell, const State& state);
 
