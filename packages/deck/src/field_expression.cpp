@@ -113,6 +113,10 @@ double FieldExpression::tangent(const SpaceTime& point, const double* references
   return value;
 }
 
+int FieldExpression::degree(int place, const std::vector<int>& references) const {
+  return compiled_ ? compiled_->formula.degree(place, references) : 0;
+}
+
 double FieldExpression::finite(double number, const std::string& what, const SpaceTime& point,
                                const double* references) const {
   if (std::isfinite(number)) return number;

@@ -75,6 +75,35 @@ bool Formula::uses_any(const std::string& variables) const {
   return used_.find_first_of(variables) != std::string::npos;
 }
 
+int Formula::degree(int place, const std::vector<int>& references) const {
+  constexpr int none = 1000;  // of no polynomial: more than any sum of a formula's degrees
+  std::vector<int> stack;
+  for (const Step& step : steps_) {
+    const std::size_t first = stack.size() - static_cast<std::size_t>(step.operands);
+    const int a = step.operands > 0 ? stack[first] : 0,
+              b = step.operands > 1 ? stack[first + 1] : 0;
+    const bool constant = std::all_of(stack.begin() + static_cast<std::ptrdiff_t>(first),
+                                      stack.end(), [](int degree) { return degree == 0; });
+    int result = constant ? 0 : none;
+    switch (step.operation) {
+      case Operation::variable: result = step.variable->name == 't' ? 0 : place; break;
+      case Operation::reference: result = references[static_cast<std::size_t>(step.number)]; break;
+      case Operation::negate: result = a; break;
+      case Operation::add:
+      case Operation::subtract: result = std::max(a, b); break;
+      case Operation::multiply: result = a + b; break;
+      case Operation::divide:
+        if (b == 0) result = a;
+        break;
+      case Operation::whole_power: result = a * static_cast<int>(step.number); break;
+      default: break;
+    }
+    stack.resize(first);
+    stack.push_back(std::min(result, none));
+  }
+  return stack.front() >= none ? -1 : stack.front();
+}
+
 template <class T>
 T Formula::run(const SpaceTime& at, const double* references, int first) const {
   T stack[deepest];

@@ -65,6 +65,9 @@ class Formula {
     return run<Dual>(at, references, first);
   }
   bool uses_any(const std::string& variables) const;  ///< one letter each
+  /// Of the polynomial that it is where places have the degree `place` and references those given;
+  /// -1 where it is none.
+  int degree(int place, const std::vector<int>& references) const;
 
  private:
   template <class T>

@@ -72,6 +72,26 @@ TEST(FieldExpression, DerivativesAreExact) {
   EXPECT_EQ(place[1], p.x * p.z);
 }
 
+TEST(FieldExpression, KnowsThePolynomialThatItIs) {
+  const auto degree = [](const std::string& formula, int place = 1) {
+    const FieldExpression e(formula);
+    std::vector<int> references;
+    for (const FieldReference& reference : e.references())
+      references.push_back(reference.along < 0 ? 2 : 1);
+    return e.degree(place, references);
+  };
+  EXPECT_EQ(degree("3"), 0);
+  EXPECT_EQ(degree("sin(t)"), 0);
+  EXPECT_EQ(degree("x*Y + t"), 2);
+  EXPECT_EQ(degree("x*Y + t", 2), 4);
+  EXPECT_EQ(degree("-a^2*dx(b)/exp(2*t) + x^3"), 5);
+  EXPECT_EQ(degree("a - b"), 2);
+  EXPECT_EQ(degree("1/a"), -1);
+  EXPECT_EQ(degree("sqrt(a)*b"), -1);
+  EXPECT_EQ(degree("t > 1 ? 2 : 3"), 0);
+  EXPECT_EQ(degree("a > 1 ? 2 : 3"), -1);
+}
+
 TEST(FieldExpression, FaultsHaveTheirOwnSentences) {
   EXPECT_EQ(fault("dx(2*temperature)"),
             "'dx' takes the name of a field, such as dx(temperature) or dx(velocity_x)");

@@ -1,10 +1,9 @@
 #include "src/error_report.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "hawser/element/cell_geometry.hpp"
+#include "hawser/fields/field_sampler.hpp"
 #include "hawser/fields/look_up.hpp"
 #include "hawser/physics/field_use.hpp"
 #include "hawser/report/verification_deck.hpp"
@@ -70,63 +69,19 @@ ErrorReport::ErrorReport(const ErrorDeck& deck, const ReportContext& context,
 }
 
 std::vector<ErrorReport::Sample> ErrorReport::sample(const State& state) const {
-  const Mesh& mesh = dofs_.mesh();
   const Region& region = *region_;
-  const ShapeTraits& cell_shape = traits(region.shape);
-  const int moved = dofs_.find(field_name::displacement);
-  const Quadrature rule = quadrature(region.shape, degree);
-  const Tabulation field = tabulate(dofs_.fields()[static_cast<std::size_t>(field_)].basis, rule);
-  const Tabulation geometry =
-      tabulate(moved < 0 ? Basis::p1 : dofs_.fields()[static_cast<std::size_t>(moved)].basis, rule);
-
+  FieldSampler at(dofs_, region, quadrature(region.shape, degree), {field_},
+                  dofs_.find(field_name::displacement));
   std::vector<Sample> samples;
-  std::vector<LocalIndex> rows;
-  std::vector<LocalIndex> moved_rows;
-  std::vector<std::array<double, 3>> X, x;  // of the nodes that move the cell
   for (LocalIndex cell = 0; cell < region.size(); ++cell) {
-    if (region.cell_owners[static_cast<std::size_t>(cell)] != mesh.communicator.rank()) continue;
-    X.assign(static_cast<std::size_t>(geometry.nodes), {});
-    for (int k = 0; k < cell_shape.vertices; ++k) {
-      const LocalIndex vertex =
-          region.vertices[static_cast<std::size_t>(cell * cell_shape.vertices + k)];
-      for (int j = 0; j < mesh.dimension; ++j)
-        X[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)] =
-            mesh.coordinates[static_cast<std::size_t>(mesh.dimension * vertex + j)];
-    }
-    for (int e = 0; cell_shape.vertices + e < geometry.nodes; ++e)
-      for (std::size_t j = 0; j < 3; ++j)
-        X[static_cast<std::size_t>(cell_shape.vertices + e)][j] =
-            0.5 * (X[static_cast<std::size_t>(cell_shape.edge[e][0])][j] +
-                   X[static_cast<std::size_t>(cell_shape.edge[e][1])][j]);
-    x = X;
-    moved_rows.clear();
-    if (moved >= 0) dofs_.append_cell_rows(moved, region, cell, moved_rows);
-    for (std::size_t a = 0; a < moved_rows.size(); ++a)
-      for (std::size_t j = 0; moved_rows[a] >= 0 && j < static_cast<std::size_t>(mesh.dimension);
-           ++j)
-        x[a][j] += state.value[static_cast<std::size_t>(moved_rows[a]) + j];
-    rows.clear();
-    dofs_.append_cell_rows(field_, region, cell, rows);
-    for (int q = 0; q < rule.points; ++q) {
-      const auto shape = [&](const Tabulation& table, std::size_t a) {
-        return table.values[static_cast<std::size_t>(q * table.nodes) + a];
-      };
-      double place[2][3] = {};  // X, x
-      for (std::size_t k = 0; k < X.size(); ++k)
-        for (std::size_t j = 0; j < 3; ++j) {
-          place[0][j] += shape(geometry, k) * X[k][j];
-          place[1][j] += shape(geometry, k) * x[k][j];
-        }
-      const SpaceTime at{place[1][0], place[1][1], place[1][2], place[0][0],
-                         place[0][1], place[0][2], state.time};
-      Sample result{
-          rule.weights[static_cast<std::size_t>(q)] * stretch_at(q, rule, geometry, x[0].data()),
-          {}};
-      for (std::size_t c = 0; c < components_; ++c) {
-        result.error[c] = -deck_.exact.value[c](at);
-        for (std::size_t a = 0; a < rows.size(); ++a)
-          result.error[c] += shape(field, a) * state.value[static_cast<std::size_t>(rows[a]) + c];
-      }
+    if (region.cell_owners[static_cast<std::size_t>(cell)] != dofs_.mesh().communicator.rank())
+      continue;
+    at.enter(cell, state);
+    for (int q = 0; q < at.points().points; ++q) {
+      at.go_to(q);
+      Sample result{at.points().weights[static_cast<std::size_t>(q)] * at.stretch(), {}};
+      for (std::size_t c = 0; c < components_; ++c)
+        result.error[c] = at.value(0, static_cast<int>(c)) - deck_.exact.value[c](at.place());
       samples.push_back(result);
     }
   }

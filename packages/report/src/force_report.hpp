@@ -1,7 +1,7 @@
 #pragma once
 // Forces on regions: the load of one module, or the reaction of the supports.
 #include "hawser/report/force.hpp"
-#include "hawser/report/report.hpp"
+#include "src/row_sums.hpp"
 
 namespace hawser {
 
@@ -23,16 +23,12 @@ class ForceReport : public Report {
   std::string closing() const override;
 
  private:
-  /// Load on the region of the modules of that name (minus their residual), or the reaction.
+  /// Load on the region of the modules of that name, or the reaction.
   std::vector<double> measure(const Step& step) override;
-  void choose_modules(const std::vector<PhysicsModule>& modules, Diagnostics& diagnostics);
-  void note_a_sum(const std::vector<PhysicsModule>& modules, const Region& region,
-                  Diagnostics& diagnostics) const;
 
-  const Assembler& assembler_;
+  const Mesh& mesh_;
   ForceDeck deck_;
-  std::vector<int> modules_;      // none: the reaction
-  std::vector<LocalIndex> rows_;  // first velocity rows, owned
+  RowSums loads_;
 };
 
 }  // namespace hawser

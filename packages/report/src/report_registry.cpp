@@ -3,7 +3,10 @@
 #include "hawser/base/error.hpp"
 #include "src/energy_report.hpp"
 #include "src/error_report.hpp"
+#include "src/extreme_report.hpp"
+#include "src/flux_report.hpp"
 #include "src/force_report.hpp"
+#include "src/integral_report.hpp"
 #include "src/probe_report.hpp"
 
 namespace hawser {
@@ -13,6 +16,9 @@ void register_reports(ReportRegistry& registry) {
   registry.add<ProbeReport>("output");
   registry.add<ErrorReport>();
   registry.add<EnergyReport>();
+  registry.add<IntegralReport>();
+  registry.add<FluxReport>();
+  registry.add<ExtremeReport>();
 }
 
 std::vector<NodeSpec> ReportRegistry::specs(const std::string& parent) const {

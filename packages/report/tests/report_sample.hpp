@@ -14,7 +14,8 @@ namespace hawser {
 /// module adds the same load at each of its nodes.
 class ReportSample {
  public:
-  ReportSample() {
+  explicit ReportSample(const Communicator& communicator = Communicator())
+      : mesh(sample_mesh(communicator)) {
     modules.push_back(module_with("flow", load("water", CellShape::triangle, 1)));
     modules.push_back(module_with("cable", load("cable", CellShape::line, 10)));
     modules.push_back(module_with("cable", load("cable", CellShape::line, 100)));
@@ -52,7 +53,7 @@ class ReportSample {
     return Reports(registry.read(deck.root.children, parent, faults), context(), faults);
   }
 
-  Mesh mesh = sample_mesh();
+  Mesh mesh;
   std::vector<PhysicsModule> modules;
   FieldTable table;
   Tracks tracks;
@@ -62,12 +63,12 @@ class ReportSample {
   std::vector<double> reactions;
 
  private:
-  static Mesh sample_mesh() {
+  static Mesh sample_mesh(const Communicator& communicator) {
     MeshText text = grid(4, 2);
     text.groups.push_back(line("cable", {5, 6, 7, 8, 9}));
     text.groups.push_back({"tow-point", 0, {{5}}});
     text.groups.push_back({"tail", 0, {{9}}});
-    return read_text(Communicator(), text.in_format("4.1"));
+    return read_text(communicator, text.in_format("4.1"));
   }
   static std::unique_ptr<Kernel> load(const std::string& region, CellShape shape, double load) {
     return std::make_unique<LoadKernel>(

@@ -61,6 +61,10 @@ class FieldExpression {
   bool depends_on_space() const;           ///< itself, not by its fields: any of x, y, z, X, Y, Z
   bool depends_on_moved_position() const;  ///< any of x, y, z
 
+  /// Of the polynomial that it is in a cell where places are of the degree `place` and each
+  /// reference of that given; -1 where it is none, as with a root or a quotient.
+  int degree(int place, const std::vector<int>& references) const;
+
   const std::string& text() const { return text_; }
   const Location& location() const { return location_; }
   /// The unit that a constant was given with, so that its dimension can be checked.
