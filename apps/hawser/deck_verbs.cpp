@@ -6,6 +6,7 @@
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/deck_templates.hpp"
 #include "run_options.hpp"
+#include "plugin_template.hpp"
 #include "verb.hpp"
 
 namespace hawser::program {
@@ -84,17 +85,24 @@ int print_template(const std::string& name) {
     names.push_back(known.name);
     list += "  " + known.name + "  " + known.summary() + "\n";
   }
+  list += "hawser new plugin NAME makes the folder of a plug-in\n";
   if (name.empty()) return print(list);
   throw Error(ExitCode::usage, "there is no template '" + name + "'; there are " + listed(names) +
                                    did_you_mean(name, names));
 }
 
 Verb new_verb(CLI::App& app) {
-  auto* verb = app.add_subcommand("new", "print a commented deck to begin with");
-  verb->footer("Example: hawser new tow > my.xml");
-  const auto name = std::make_shared<std::string>();
-  verb->add_option("template", *name, "its name; without one, the names are listed");
-  return {verb, Alone([name](const Environment&) { return print_template(*name); })};
+  auto* verb = app.add_subcommand(
+      "new", "print a commented deck to begin with, or make the folder of a plug-in");
+  verb->footer("Examples: hawser new tow > my.xml\n          hawser new plugin salinity");
+  const auto name = std::make_shared<std::string>(), plugin = std::make_shared<std::string>();
+  verb->add_option("template", *name, "a deck's name, or plugin; without one, the names are listed");
+  verb->add_option("plugin-name", *plugin, "of a new plug-in and its folder");
+  return {verb, Alone([name, plugin](const Environment&) {
+            if (*name != "plugin") return print_template(*name);
+            write_plugin(*plugin);
+            return print("made the folder " + *plugin + "; its README.md says how it is built\n");
+          })};
 }
 
 }  // namespace

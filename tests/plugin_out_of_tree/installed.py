@@ -52,6 +52,19 @@ class Tutorial(SystemTest):
         cls.script = "".join(script).replace("cmake --install build --prefix", f"cmake --install {BUILD} --prefix", 1)
         cls.done = shell(cls.script, ROOT)
 
+    def test_a_new_plugin_is_built_and_passes_its_tests(self):
+        script = (f"{PREFIX}/bin/hawser new plugin sea_salt && cd sea_salt && "
+                  f"cmake -S . -B build -DCMAKE_PREFIX_PATH={PREFIX} && cmake --build build && "
+                  "ctest --test-dir build --output-on-failure")
+        shutil.rmtree(SCRATCH / "sea_salt", ignore_errors=True)
+        done = shell(script, SCRATCH)
+        self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])
+        self.assertIn("100% tests passed, 0 tests failed out of 3", done.stdout)
+        again = shell(f"{PREFIX}/bin/hawser new plugin sea_salt", SCRATCH)
+        self.assertEqual(again.returncode, 7)
+        self.assertIn("is there already", again.stderr)
+        self.assertEqual(shell(f"{PREFIX}/bin/hawser new plugin Salt", SCRATCH).returncode, 2)
+
     def test_every_step_works_as_pasted(self):
         self.assertEqual(self.done.returncode, 0, self.script + self.done.stdout[-3000:] + self.done.stderr[-3000:])
         self.assertIn("heat.xml: no faults", self.done.stdout)

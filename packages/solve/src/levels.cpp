@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "hawser/base/error.hpp"
 
 namespace hawser {
 namespace {
@@ -37,7 +40,9 @@ Fit fit_level(const BlockSystem& system, const TpetraVector& f, const std::strin
   const auto level = ones.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto residual = f.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto local = system.matrix->getLocalMatrixHost();
-  double sums[3] = {0, 0, 0};  // f.g, g.g, f.f with g = J 1, rows scaled
+  double sums[4] = {0, 0, 0, 0};  // f.g, g.g, f.f with g = J 1, rows scaled; unknowns of the field
+  for (const Block& block : system.blocks)
+    if (block.field == field) sums[3] += static_cast<double>(block.rows.size());
   for (LocalIndex row = 0; row < local.numRows(); ++row) {
     double largest = 0, sum = 0, absolute = 0;
     for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
@@ -53,7 +58,12 @@ Fit fit_level(const BlockSystem& system, const TpetraVector& f, const std::strin
     sums[1] += g * g;
     sums[2] += off * off;
   }
-  MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_DOUBLE, MPI_SUM, system.communicator.mpi());
+  MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPI_DOUBLE, MPI_SUM, system.communicator.mpi());
+  if (sums[1] == 0 && sums[3] > 0)
+    throw SolveError("nothing holds the level of the field '" + field +
+                     "': a constant added to it everywhere changes no equation; prescribe it at one "
+                     "point, <prescribe field=\"" +
+                     field + "\" on=\"corner\" value=\"0\"/>, or open a boundary, <outflow>");
   if (!(sums[1] > 0) || !(sums[2] > 0)) return {};
   return {-sums[0] / sums[1], sums[0] * sums[0] / (sums[1] * sums[2])};
 }

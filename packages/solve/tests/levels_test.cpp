@@ -3,6 +3,8 @@
 #include <Tpetra_Vector.hpp>
 #include <gtest/gtest.h>
 
+#include "hawser/base/error.hpp"
+
 #include "hawser/solve/nonlinear_driver.hpp"
 #include "pointwise_problem.hpp"
 
@@ -38,6 +40,20 @@ TEST(Levels, StayWhereTheyAreNoGreatHelp) {
   linear.system().blocks[0].has_level = true;
   EXPECT_FALSE(level_fields(linear.system(), f, x));  // up here, down there
   EXPECT_EQ(x.meanValue(), 2);
+}
+
+TEST(Levels, ThatNothingHoldsAreNamed) {
+  decltype(problem()) linear = {[](double) { return 1.0; }, [](double) { return 0.0; }};
+  linear.system().blocks[0].has_level = true;
+  const auto f = linear.guess(1);
+  auto x = linear.guess(2);
+  linear.jacobian(x);
+  try {
+    level_fields(linear.system(), f, x);
+    FAIL() << "no error";
+  } catch (const SolveError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("nothing holds the level of the field '", 0), 0u);
+  }
 }
 
 // All that is relative to a first residual is then relative to one without the level.

@@ -173,6 +173,16 @@ TEST_F(LinearSolverTest, FailingKeptFactorIsRefreshedWithinTheSolve) {
   EXPECT_GT(report.iterations, 30);  // of both attempts
 }
 
+TEST_F(LinearSolverTest, WhatCannotBeBetteredInDoublesIsASolution) {
+  LinearOptions options;
+  options.method = Method::mumps;
+  LinearSolver complete(problem.system(), options);
+  EXPECT_NO_THROW(complete.solve(rhs, x, 1e-19));  // of the right-hand side: below rounding
+  EXPECT_LE(error(), 1e-10);
+  LinearSolver incomplete(problem.system(), {});
+  EXPECT_THROW(incomplete.solve(rhs, x, 1e-19), SolveError);
+}
+
 TEST_F(LinearSolverTest, TooFewIterationsIsAnError) {
   LinearOptions options;
   options.max_iterations = 2;
