@@ -28,7 +28,7 @@ def alternation(fields):
 def go_on(name, checkpoint, end, *settings):
     folder = fresh(name)
     changes = [word for setting in settings for word in ("--set", setting)]
-    completed(1, "restart", checkpoint, "-o", folder, "-q", "--end", end, *changes, seconds=400)
+    completed(1, "restart", checkpoint, "-o", folder, "-q", "--end", end, *changes, seconds=900)
     return Results(folder)
 
 
@@ -36,7 +36,7 @@ class CutSteps(SystemTest):
     def test_short_steps_leave_no_mark_on_the_pressure(self):
         begun = fresh("begun")
         completed(1, "run", ROOT / "inputs/deep_tow/case_02_quick.xml", "-o", begun, "-q", "--end", 400, "--set",
-                  "output/checkpoint-at-end=true", seconds=400)
+                  "output/checkpoint-at-end=true", seconds=900)
         whole = go_on("whole", begun / "checkpoint.h5", 600)
         cut = go_on("cut", begun / "checkpoint.h5", 402, "time/step=0.01", "output/checkpoint-at-end=true")
         self.assertGreaterEqual(cut.summary()["steps"], 200)

@@ -50,7 +50,7 @@ class Cylinder(SystemTest):
             name = f"re_20_{number}"
             end = run(name, "cylinder.xml", "--set", f"mesh/file/name={triangulation(number)}",
                       "--set", "expect[cylinder_force_along_n_per_m]=", "--set", "expect[cylinder_force_across_n_per_m]=",
-                      seconds=400).summary()
+                      seconds=900).summary()
             what = f"cylinder at Re 20, triangulation {number}"
             with self.subTest(number=number):
                 self.judge(f"{name}.drag", f"{what}: drag coefficient", 500*end["cylinder_force_along_n_per_m"], 5.57953523384,
