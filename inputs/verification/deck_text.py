@@ -9,6 +9,10 @@ class Printer(StrPrinter):
     def _print_Pow(self, expression, rational=False):
         return super()._print_Pow(expression, rational).replace("**", "^")
 
+    def _print_Within(self, expression):
+        place, tip = map(self.doprint, expression.args)
+        return f"max(0, 1 - (({place})/({tip}))^2)"
+
 
 def text(*components):
     """As a deck writes it; a component may be a text already."""

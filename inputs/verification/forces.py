@@ -14,9 +14,15 @@ def vanishes(f):
                for k in (0, 0.11, 0.37))
 
 
-def fluid_force(v, p, nu, rho=1):
-    """What the momentum equation leaves over, per mass; v must be free of divergence."""
-    assert vanishes(sp.diff(v[0], x) + sp.diff(v[1], y))
+class Within(sp.Function):
+    """1 - (x/tip)^2 between -tip and tip, zero beyond; a power of n has n - 1 continuous derivatives."""
+    def fdiff(self, argindex=1):
+        return -2 * self.args[0] / self.args[1]**2
+
+
+def fluid_force(v, p, nu, rho=1, plain=lambda f: f):
+    """What the momentum equation leaves over, per mass; v must be free of divergence. `plain` makes numbers of symbols."""
+    assert vanishes(plain(sp.diff(v[0], x) + sp.diff(v[1], y)))
     return [sp.diff(v[i], t) + v[0] * sp.diff(v[i], x) + v[1] * sp.diff(v[i], y)
             - nu * (sp.diff(v[i], x, 2) + sp.diff(v[i], y, 2)) + grad(p)[i] / rho for i in (0, 1)]
 

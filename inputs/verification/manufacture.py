@@ -13,7 +13,7 @@ from pathlib import Path
 import sympy as sp
 
 from deck_text import DECKS, SIDES, deck, errors, moving_water, orders, schemes, text, water
-from forces import X, Y, cable_load, fluid_force, mesh_force, t, vanishes, x, y
+from forces import Within, X, Y, cable_load, fluid_force, mesh_force, t, vanishes, x, y
 
 HERE = Path(__file__).resolve().parent
 def taylor_green():
@@ -208,6 +208,39 @@ def coupled_space():
                p_error_l2=(1.4, "1.5: linear pressure with PSPG")))
 
 
+def coupled_jump():
+    nu, stretch, side = sp.Rational(1, 20), sp.Rational(21, 20), sp.Symbol("(Y > 0 ? 1 : -1)")
+    # At rest on the walls and along y = 0; of the second part dv/dn changes its sign across the cable, as in boundary layers.
+    within = Within(x, stretch / 2)
+    stream = ((1 + sp.sin(2 * t) / 2) * (stretch**2 - x**2)**2 * (1 - y**2)**2 * y**2
+              * (1 + x / 2 + side * within**5))
+    v = [sp.diff(stream, y), -sp.diff(stream, x)]
+    p = sp.cos(x) * sp.sin(y) * sp.cos(t) + side * within**3 * (1 + t) / 2
+    bubble = Y * (1 - X**2) * (1 - Y**2)
+    d = [(stretch - 1) * X + sp.sin(3 * t) * bubble / 2, sp.sin(4 * t) * bubble / 3]
+    place = [stretch * X, sp.Integer(0)]
+
+    def plain(f):
+        return f.subs(side, 1).replace(Within, lambda a, tip: 1 - (a / tip)**2)
+
+    def across(f):
+        """The jump at the cable, whose reference length is stretched."""
+        f = f.subs(y, 0)
+        return stretch * (f.subs(side, 1) - f.subs(side, -1)).subs(x, stretch * X)
+    load = cable_load(place, X, 1, 10, damping=sp.Rational(1, 2))
+    tow("coupled_jump", "Flow, cable and mesh, the shear jumping across the cable: order in space and time together", """
+  Convection does not vanish, and both pressure and shear jump across a cable that holds its place against the tractions of
+  two sides; both jumps end smoothly at its tips. The mesh moves in its own way. The walls are at rest.""", d, v, text(p), place,
+        [X, 0], ("-0.5 0", "0.5 0"),
+        {"force": text(*fluid_force(v, p, nu, plain=plain)),
+         "load": text(load[0] - across(nu * sp.diff(v[0], y)), load[1] + across(p)),
+         "mesh": f'\n                 body-force="{text(*mesh_force(d))}"', "corner": text(p),
+         "errors": errors("water", displacement=d)},
+        '  <time scheme="generalised-alpha" rho-infinity="0.5" step="0.05" end="0.25"/>',
+        orders("both", 4, v_error_l2=(1.9, "2: linear velocity"), d_error_l2=(1.9, "2: linear displacement"),
+               cable_error_l2=(1.9, "2: linear displacement"), p_error_l2=(1.4, "1.5: linear pressure with PSPG")))
+
+
 def coupled_time():
     stretch = sp.Rational(21, 20)
     lean, drift, rise = sp.sin(3 * t) / 5, sp.sin(2 * t) / 5, sp.cos(3 * t) / 10
@@ -231,7 +264,7 @@ def coupled_time():
 
 def main():
     for build in (taylor_green, fluid_space, fluid_time, mesh_space, cable_space, cable_time, coupled_space,
-                  coupled_time):
+                  coupled_jump, coupled_time):
         build()
     wrong = [name for name, content in DECKS.items()
              if "--check" in sys.argv and (HERE / name).read_text() != content]
