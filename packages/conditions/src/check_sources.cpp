@@ -1,6 +1,8 @@
 // What tables say is compared with what the run will ask of them, before its first step.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "hawser/base/error.hpp"
 #include "hawser/conditions/conditions.hpp"
@@ -13,8 +15,10 @@ namespace {
 constexpr double least_jump = 1e-3;  // m
 constexpr double least_share = 0.1;
 
-std::string span_text(const Span& span) {
-  return "from t = " + write_value(span.from) + " s to t = " + write_value(span.until) + " s";
+std::string span_text(const Span& span, const std::string& variable = "t",
+                      const std::string& unit = "s") {
+  const auto value = [&](double at) { return variable + " = " + write_value(at) + " " + unit; };
+  return "from " + value(span.from) + " to " + value(span.until);
 }
 
 double length(const std::vector<double>& a, const std::vector<double>& b) {
@@ -51,6 +55,24 @@ Conditions::Moves Conditions::moves(const Entry& entry, const State& start, doub
   return result;
 }
 
+std::array<Span, 3> Conditions::needed_places(const Entry& entry, const State& start) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<Span, 3> places;
+  places.fill({infinity, -infinity});
+  for (const LocalIndex row : entry.first_rows) {
+    const SpaceTime at = point(row, start);
+    const double position[] = {at.x, at.y, at.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      places[axis].from = std::min(places[axis].from, position[axis]);
+      places[axis].until = std::max(places[axis].until, position[axis]);
+    }
+  }
+  const Communicator& communicator = dofs_.mesh().communicator;
+  for (Span& along : places)
+    along = {-communicator.max(-along.from), communicator.max(along.until)};
+  return places;
+}
+
 void Conditions::check_source(const Entry& entry, const State& start, double first_step, double end,
                               bool jump_is_meant) const {
   const Span needed = needed_times(entry, start, first_step, end);
@@ -62,6 +84,15 @@ void Conditions::check_source(const Entry& entry, const State& start, double fir
     fault("the table reaches " + span_text(span) + ", and the run needs it " + span_text(needed) +
           "; a longer table would do, another time-origin of <table>, another end of <time>, or a "
           "window (from, until) of the condition");
+  const std::array<Span, 3> places = needed_places(entry, start);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Span span = entry.source->reach(axis);
+    const Span& along = places[static_cast<std::size_t>(axis)];
+    const std::string name(1, "xyz"[axis]);
+    if (along.from <= along.until && !span.covers(along.from, along.until))
+      fault("the table reaches " + span_text(span, name, "m") +
+            ", and the nodes of this condition " + span_text(along, name, "m"));
+  }
   const Communicator& communicator = dofs_.mesh().communicator;
   long long points = 0;
   for (const LocalIndex row : entry.first_rows)

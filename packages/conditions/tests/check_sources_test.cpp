@@ -71,8 +71,10 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(CheckSources, PlacesMustBeThoseOfTheNodes) {
   const std::string narrow = "x_m,u_m_per_s,v_m_per_s\n0,0,1\n3,0,1\n";
-  EXPECT_THAT(said(flow, narrow, {}),
-              HasSubstr("data.csv: no value at x = 4 m; the table reaches from 0 to 3"));
+  EXPECT_THAT(
+      said(flow, narrow, {}),
+      HasSubstr("the table reaches from x = 0 m to x = 3 m, and the nodes of this condition from "
+                "x = 0 m to x = 4 m"));
   EXPECT_EQ(said(flow, "x_m,u_m_per_s,v_m_per_s\n0,0,1\n4,0,1\n", {}), "");
 }
 

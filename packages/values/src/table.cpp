@@ -96,8 +96,8 @@ bool Table::depends_on_moved_position(int) const {
                      [](const Axis& axis) { return axis.knots.size() > 1; });
 }
 
-Span Table::span() const {
-  const std::vector<double>& knots = axes_[t].knots;
+Span Table::span_of(int variable) const {
+  const std::vector<double>& knots = axes_[static_cast<std::size_t>(variable)].knots;
   if (knots.empty()) return {};
   return {knots.front(), knots.back(), slack(knots)};
 }

@@ -1,5 +1,6 @@
 #pragma once
 // Initial and prescribed values, resolved to rows.
+#include <array>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -84,6 +85,8 @@ class Conditions {
   static void at_its_place(const Entry& entry, const std::function<void()>& work);
   /// [first, last] s, in which a run needs the values; none when first > last.
   static Span needed_times(const Entry& entry, const State& start, double first_step, double end);
+  /// Of all ranks' nodes, along x, y, z. On all ranks.
+  std::array<Span, 3> needed_places(const Entry& entry, const State& start) const;
   /// m, of a displacement, on this rank: from where the nodes are to where they are prescribed to
   /// be at `first`, and on to where they are to be at `next`.
   struct Moves {

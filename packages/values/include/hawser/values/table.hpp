@@ -34,7 +34,8 @@ class Table : public ValueSource {
   void gradient(const SpaceTime& at, int component, double* slope) const override;
   bool depends_on_moved_position(int component) const override;
   using ValueSource::depends_on_moved_position;
-  Span span() const override;
+  Span span() const override { return span_of(t); }
+  Span reach(int axis) const override { return span_of(x + axis); }
   bool places_a_point() const override { return is_position_ && !relative_; }
 
  private:
@@ -54,6 +55,7 @@ class Table : public ValueSource {
   };
   using Places = std::array<Place, variables>;
 
+  Span span_of(int variable) const;
   Places locate(const SpaceTime& at) const;
   /// Interpolates; along `slope_along`, if it is a variable, the slope instead.
   double interpolate(const Places& places, int component, int slope_along) const;

@@ -7,7 +7,7 @@
 
 namespace hawser {
 
-/// Times at which there is a value, s.
+/// Times, s, or places along an axis, m, at which there is a value.
 struct Span {
   double from = -std::numeric_limits<double>::infinity();
   double until = std::numeric_limits<double>::infinity();
@@ -32,6 +32,8 @@ class ValueSource {
   virtual bool depends_on_moved_position(int component) const = 0;
 
   virtual Span span() const { return {}; }
+  /// Along x, y or z (0, 1, 2).
+  virtual Span reach(int /*axis*/) const { return {}; }
   /// The values are displacements that bring every point to the same place.
   virtual bool places_a_point() const { return false; }
 
