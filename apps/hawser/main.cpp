@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "hawser/base/error.hpp"
+#include "hawser/deck/diagnostics.hpp"
 #include "man_page.hpp"
 #include "verb.hpp"
 
@@ -44,6 +45,29 @@ int perform(const OnRanks& action) {
   return code;
 }
 
+/// Verbs and options that there are not, with the nearest that there is; else the error's own
+/// words.
+std::string explained(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const auto verbs = app.get_subcommands();  // that were given
+  std::vector<std::string> names;
+  if (verbs.empty()) {
+    if (argc < 2 || argv[1][0] == '-') return error.what();
+    for (const CLI::App* verb : app.get_subcommands(nullptr))
+      names.push_back(verb->get_name());
+    const std::string given = argv[1];
+    return "there is no verb '" + given + "'; there are " + listed(names) +
+           did_you_mean(given, names);
+  }
+  const auto rest = verbs.front()->remaining();
+  if (rest.empty() || rest.front().compare(0, 2, "--") != 0) return error.what();
+  for (const CLI::Option* option : verbs.front()->get_options())
+    for (const std::string& name : option->get_lnames())
+      names.push_back("--" + name);
+  const std::string given = rest.front().substr(0, rest.front().find('='));
+  return "'" + verbs.front()->get_name() + "' has no option '" + given + "'" +
+         did_you_mean(given, names);
+}
+
 /// What the command line asks for; help and complaints are actions, too.
 Action read_command_line(CLI::App& app, const std::vector<Verb>& verbs, int argc, char** argv) {
   try {
@@ -52,8 +76,10 @@ Action read_command_line(CLI::App& app, const std::vector<Verb>& verbs, int argc
     if (error.get_exit_code() == 0)
       return Alone([&app, error](const Environment&) { return app.exit(error); });
     // On ranks: mpirun would end the one that speaks when another one is the first to fail.
-    return OnRanks([&app, error](const Environment& environment) {
-      if (environment.communicator().is_root()) app.exit(error);
+    const CLI::Error told(error.get_name(), explained(app, error, argc, argv),
+                          error.get_exit_code());
+    return OnRanks([&app, told](const Environment& environment) {
+      if (environment.communicator().is_root()) app.exit(told);
       return static_cast<int>(ExitCode::usage);
     });
   }

@@ -1,6 +1,7 @@
 // Runs, runs that go on, the check of a deck, and its mesh.
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -72,7 +73,14 @@ void add_run_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("-o,--output", arguments.options.output, "folder for the results");
   verb.add_flag("-f,--force", arguments.options.force, "write over the results of another run");
   verb.add_option("--end", arguments.of_case.end, "end time in s, instead of the deck's")
-      ->check(CLI::PositiveNumber);
+      ->check([](const std::string& given) -> std::string {
+        double seconds = 0;
+        if (CLI::detail::lexical_cast(given, seconds) && std::isfinite(seconds) && seconds > 0)
+          return "";
+        return "'" + given +
+               "' is no end time; needed is a number of seconds, greater than 0, or "
+               "--set time/end=\"1 h\" with a unit";
+      });
   verb.add_option_function<std::string>(
       "--stop-after",
       [&arguments](const std::string& given) {

@@ -67,7 +67,7 @@ Verb study_verb(CLI::App& app) {
   verb->add_option("-o,--output", options.output, "folder for the results")->required();
   verb->add_option("-j,--jobs", options.jobs,
                    "runs at a time; else as many as there are processors")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 10000));
   verb->add_flag("-f,--force", options.fresh, "run finished cases again");
   verb->add_flag("-q,--quiet", options.quiet, "no progress lines");
   add_plugin_folder(*verb, arguments->plugin_folder);

@@ -1,10 +1,8 @@
-// For libFuzzer of clang: any bytes as a table. A table is read or refused with a place; nothing
-// crashes, overflows or takes long. tests/fuzz/run compiles and runs it.
-#include <cstdint>
+// Any bytes as a table: it is read or refused with a place; nothing crashes, overflows or takes
+// long. The first byte says what the deck says beside the file.
 #include <cstdio>
-#include <cstdlib>
-#include <string>
 
+#include "fuzz.hpp"
 #include "values/tests/table_reading.hpp"
 
 namespace {
@@ -12,7 +10,11 @@ namespace {
 using namespace hawser;
 
 TableText asked_for(std::uint8_t choice, const std::string& text) {
-  TableDeck deck = with_direction(choice & 1U ? "going-to" : "coming-from");
+  TableDeck deck;
+  deck.name = {"t", {"d.xml", 2, 3}};
+  if (choice & 128U)
+    deck.direction =
+        Located<std::string>{choice & 1U ? "going-to" : "coming-from", {"d.xml", 2, 4}};
   if (choice & 2U) deck.missing = {"-999", "NaN"};
   if (choice & 4U) deck.longest_gap = 100;
   if (choice & 8U) deck.origin = Located<std::vector<double>>{{5e5, 6e6}, {"d.xml", 1, 1}};
@@ -21,17 +23,36 @@ TableText asked_for(std::uint8_t choice, const std::string& text) {
   return {text, choice & 64U ? displacement() : velocity(), deck};
 }
 
+bool is_placed(const std::string& fault) {
+  int line = 0, column = 0;
+  return (std::sscanf(fault.c_str(), "t.csv:%d:%d: ", &line, &column) == 2 ||
+          std::sscanf(fault.c_str(), "d.xml:%d:%d: ", &line, &column) == 2) &&
+         line > 0 && column > 0;
+}
+
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
+std::vector<std::string> good_inputs() {
+  const char* const texts[] = {
+      "time_s,speed_kn,direction_deg\n0,1,350\n10,1.5,10\n",
+      "t_s,x_m,easting_km,northing_m,u [m/s],v_cm_per_s\n0,0,500,6e6,1,2\n",
+      "time_h,x_m,y_m\n0,0,0\n1,-999,1\n2,1,2\n3,2,3\n",
+      "# tide\ntime_h,velocity_x_m_per_s,velocity_y_cm_per_s\n0,0,-50\n1,0.1,-45\n2,.2,-4e1\n",
+      "t_s,z_m,velocity_x_m_per_s,velocity_y_m_per_s\n0,-9,1,2\n0,0,1,1\n5,-9,1,3\n5,0,0,0\n"};
+  std::vector<std::string> inputs;
+  for (const char* const text : texts)
+    for (unsigned choice = 0; choice < 256; choice += 5)
+      inputs.push_back(static_cast<char>(choice) + std::string(text));
+  return inputs;
+}
+
+Answer answer_to(const std::string& input) {
+  if (input.empty()) return Answer::refused;
   const TableReading reading =
-      read(asked_for(data[0], {reinterpret_cast<const char*>(data) + 1, size - 1}));
-  int line = 0, column = 0;
-  const bool placed = std::sscanf(reading.faults.c_str(), "t.csv:%d:%d: ", &line, &column) == 2 ||
-                      std::sscanf(reading.faults.c_str(), "d.xml:%d:%d: ", &line, &column) == 2;
-  if (reading.table ? !reading.faults.empty() : !placed) std::abort();
-  if (!reading.table) return 0;
+      read(asked_for(static_cast<std::uint8_t>(input[0]), input.substr(1)));
+  if (reading.table ? !reading.faults.empty() : !every_line(reading.faults, is_placed))
+    broken("refused without a place: " + reading.faults);
+  if (!reading.table) return Answer::refused;
   const Span span = reading.table->span();
   SpaceTime point;
   point.t = span.covers(0, 0) ? 0 : span.from;
@@ -40,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     reading.table->value(point, numbers);
     reading.table->time_derivative(point, numbers);
   } catch (const std::exception&) {
-    return 0;  // not over this place
+    // not over this place
   }
-  return 0;
+  return Answer::read;
 }

@@ -22,6 +22,7 @@ FIGURES = {
     "flips": (files.flips, 1000, 20),
     "mutants": (files.mutants, 300, 6),
     "newton": (states.newton, 50, 2),
+    "inversions": (states.inversions, 100, 3),
     "ranks": (states.ranks, 6, 2),
     "growth": (states.growth, 10000, 2000),
 }

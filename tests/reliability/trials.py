@@ -49,8 +49,8 @@ def start(*arguments, ranks=1, **options):
     return subprocess.Popen(command_line(ranks, *arguments), **options)
 
 
-def run(*arguments, ranks=1, seconds=120, **options):
-    """(exit code, what it said)."""
+def run(*arguments, ranks=1, seconds=900, **options):
+    """(exit code, what it said). The limit is that of a crowded machine, on which a tenth of a second may take a minute."""
     with start(*arguments, ranks=ranks, **options) as process:
         try:
             out, err = process.communicate(timeout=seconds)

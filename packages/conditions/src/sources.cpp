@@ -11,8 +11,12 @@ namespace {
 /// The same text on all ranks; without the deck's files, as it lies on disk.
 std::string read_table(const Communicator& communicator, const std::shared_ptr<InputFiles>& files,
                        const std::string& path) {
-  const auto text = files ? files->read(path) : InputFiles(communicator).read(path);
+  constexpr std::size_t largest = 256U << 20U;  // bytes; millions of rows
+  const auto text =
+      files ? files->read(path, largest) : InputFiles(communicator).read(path, largest);
   if (!text) throw DeckError("cannot read the table " + path);
+  if (text->size() > largest)
+    throw DeckError("the table " + path + " is larger than the allowed 256 MB");
   return *text;
 }
 

@@ -139,8 +139,9 @@ class Setter {
     if (read_whole_number(step.key, number).empty() && number >= 1 &&
         static_cast<std::size_t>(number) <= candidates.size())
       return candidates[static_cast<std::size_t>(number - 1)];
-    error("there is no <" + step.tag + "> " + quoted(step.key) + "; there are " +
-          keys_of(candidates, spec) + did_you_mean(step.key, keys));
+    error("there is no <" + step.tag + "> " + quoted(step.key) +
+          (candidates.size() == 1 ? "; there is " : "; there are ") + keys_of(candidates, spec) +
+          did_you_mean(step.key, keys));
     return nullptr;
   }
 

@@ -11,7 +11,10 @@ namespace hawser {
 
 std::optional<std::string> read_bytes(const std::string& file, std::size_t limit) {
   std::error_code none;
-  if (std::filesystem::is_directory(file, none)) return std::nullopt;
+  const auto status = std::filesystem::status(file, none);
+  // A pipe may stand for a file (bash's <(...)); a device may have no end.
+  if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))
+    return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream.is_open()) return std::nullopt;
   std::string text;
@@ -57,6 +60,8 @@ std::vector<std::string> InputFiles::edited(const Communicator& communicator, co
   if (communicator.is_root())
     for (const auto& [name, file] : kept) {
       if (file.path.empty()) continue;
+      std::error_code none;
+      if (!std::filesystem::is_regular_file(file.path, none)) continue;
       const std::optional<std::string> now = read_bytes(file.path);
       if (now && *now != file.text) names += file.path + "\n";
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include "hawser/base/error.hpp"
 
@@ -13,7 +14,15 @@ const char* const blanks = " \t\r";
 
 }  // namespace
 
-LineScanner::LineScanner(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+// A pipe would have nothing left for the checkpoint, which keeps the mesh, and what never ends
+// (such as /dev/zero) would be read for ever.
+LineScanner::LineScanner(const std::string& path) : path_(path) {
+  std::error_code none;
+  const auto status = std::filesystem::status(path, none);
+  if (std::filesystem::is_directory(status)) throw MeshError(path + " is a folder, no mesh file");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw MeshError(path + " is no mesh file but a pipe or a device");
+  file_.open(path, std::ios::binary);
   if (!file_) throw MeshError("cannot open the mesh file " + path);
 }
 
@@ -112,9 +121,10 @@ double LineScanner::raw_real(const std::string& what) {
 }
 
 void LineScanner::fail(const std::string& sentence) const {
-  throw MeshError(
-      path_ + (raw_ ? ": before byte " + std::to_string(byte_) : ":" + std::to_string(number_)) +
-      ": " + sentence);
+  throw MeshError(path_ +
+                  (raw_ ? ": before byte " + std::to_string(byte_)
+                        : ":" + std::to_string(std::max(1, number_))) +
+                  ": " + sentence);
 }
 
 }  // namespace hawser

@@ -17,8 +17,11 @@ class MshReader {
   explicit MshReader(const std::string& path) : in_(path) { file_.path = path; }
 
   MshFile read() {
-    in_.next("$MeshFormat");
-    if (in_.word("$MeshFormat") != "$MeshFormat") in_.fail("expected $MeshFormat: no MSH file");
+    if (!in_.next()) in_.fail("the file is empty");
+    const std::string first(in_.word("$MeshFormat"));
+    if (first == "\xEF\xBB\xBF$MeshFormat")
+      in_.fail("the file begins with a byte-order mark; save it without one");
+    if (first != "$MeshFormat") in_.fail("expected $MeshFormat: no MSH file");
     read_format();
     close("$MeshFormat");
     while (in_.next()) {

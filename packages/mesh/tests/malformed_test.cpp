@@ -53,6 +53,8 @@ INSTANTIATE_TEST_SUITE_P(
     Files, Malformed,
     testing::Values(
         Fault{"NoMesh", "$MeshFormat", "solid", ":1: expected $MeshFormat: no MSH file"},
+        Fault{"ByteOrderMark", "$MeshFormat", "\xEF\xBB\xBF$MeshFormat",
+              ":1: the file begins with a byte-order mark; save it without one"},
         Fault{"OldVersion", "2.2 0", "4 0",
               ":2: MSH format 4 is not read; write 4.1 or 2.2 (Mesh.MshFileVersion)"},
         Fault{"BinaryOfFourBytes", "2.2 0 8", "2.2 1 4",
@@ -106,6 +108,21 @@ TEST(Malformed, NoSuchFile) {
         read_mesh(Communicator(), {"nowhere.msh", {}});
       },
       testing::ThrowsMessage<MeshError>("cannot open the mesh file nowhere.msh"));
+}
+
+TEST(Malformed, NoFileAtAll) {
+  EXPECT_THAT(
+      [] {
+        read_mesh(Communicator(), {".", {}});
+      },
+      testing::ThrowsMessage<MeshError>(". is a folder, no mesh file"));
+  EXPECT_THAT(
+      [] {
+        read_mesh(Communicator(), {"/dev/zero", {}});
+      },
+      testing::ThrowsMessage<MeshError>("/dev/zero is no mesh file but a pipe or a device"));
+  EXPECT_THAT([] { read_text(Communicator(), ""); },
+              testing::ThrowsMessage<MeshError>("test.msh:1: the file is empty"));
 }
 
 TEST(Malformed, OverlappingTriangles) {

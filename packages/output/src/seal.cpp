@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "hawser/base/error.hpp"
 #include "src/digest.hpp"
 #include "src/files.hpp"
 
@@ -20,8 +21,17 @@ constexpr const char* sealed_begin = "sealed by hawser: ";
 /// A file that this rank reads, or writes at its beginning.
 class RawFile {
  public:
-  RawFile(std::string path, int flags) : path_(std::move(path)), fd_(open(path_.c_str(), flags)) {
+  /// Without waiting for somebody to write into it, should it be a pipe.
+  RawFile(std::string path, int flags)
+      : path_(std::move(path)), fd_(open(path_.c_str(), flags | O_NONBLOCK)) {
     if (fd_ < 0) throw_cannot(flags == O_RDONLY ? "read the checkpoint" : "write", path_, errno);
+    struct stat status = {};
+    if (fstat(fd_, &status) == 0 && S_ISREG(status.st_mode)) return;
+    close(fd_);
+    throw OutputError(S_ISDIR(status.st_mode)
+                          ? path_ + " is a folder; a checkpoint is a file, such as " + path_ +
+                                "/checkpoint.h5"
+                          : path_ + " is not a checkpoint: it is no file");
   }
   ~RawFile() { close(fd_); }
   RawFile(const RawFile&) = delete;

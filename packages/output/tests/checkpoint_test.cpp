@@ -84,6 +84,10 @@ TEST(Checkpoint, RefusesWhatItCannotTrust) {
   };
   EXPECT_THAT(reading("none.h5"), ThrowsMessage<OutputError>(HasSubstr("No such file")));
 
+  EXPECT_THAT(reading("."), ThrowsMessage<OutputError>(HasSubstr("such as ./checkpoint.h5")));
+  EXPECT_THAT(reading("/dev/zero"),
+              ThrowsMessage<OutputError>("/dev/zero is not a checkpoint: it is no file"));
+
   all.on_root([] { std::ofstream("deck.xml") << "<deck>some text</deck>"; });
   EXPECT_THAT(reading("deck.xml"),
               ThrowsMessage<OutputError>(HasSubstr("deck.xml is not a checkpoint")));

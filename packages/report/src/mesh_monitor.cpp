@@ -2,10 +2,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "hawser/base/error.hpp"
 #include "hawser/physics/field_use.hpp"
 
 namespace hawser {
+
+void refuse_tangled_mesh(const DofMap& dofs, const State& state) {
+  const Mesh& mesh = dofs.mesh();
+  const int displacement = dofs.find(field_name::displacement);
+  if (displacement < 0 || !mesh.has_body()) return;
+  const Region& body = mesh.body;
+  mesh.communicator.together([&] {
+    for (LocalIndex cell = 0; cell < body.size(); ++cell) {
+      double x[3][2], start[2] = {0, 0};
+      bool moves = true;  // as a whole; a line may move in a mesh that does not
+      for (std::size_t k = 0; k < 3; ++k) {
+        const LocalIndex vertex = body.vertices[3 * static_cast<std::size_t>(cell) + k];
+        const LocalIndex first = dofs.first_row(displacement, PointKind::vertex, vertex);
+        moves = moves && first >= 0;
+        for (std::size_t j = 0; moves && j < 2; ++j) {
+          const double here = mesh.coordinates[static_cast<std::size_t>(vertex) * 2 + j];
+          start[j] += here / 3;
+          x[k][j] = here + state.value[static_cast<std::size_t>(first) + j];
+        }
+      }
+      if (!moves || triangle_quality(x[0], x[1], x[2]) > 0) continue;
+      std::ostringstream text;
+      text << "cell " << body.cell_ids[static_cast<std::size_t>(cell)]
+           << " of the body, which started near (" << start[0] << ", " << start[1]
+           << ") m, turned inside out at t = " << state.time << " s";
+      throw SolveError(text.str());
+    }
+  });
+}
 
 MeshFigures inspect_mesh(const DofMap& dofs, const State& state) {
   const Mesh& mesh = dofs.mesh();

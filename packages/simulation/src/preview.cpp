@@ -102,10 +102,11 @@ std::string preview(const Case& run_case) {
       fmt::format("unknowns    {}: {} in all, on {} nodes\n", unknowns(*system.dofs), rows, nodes);
   const Quality quality = quality_of(system.mesh);
   if (quality.triangles > 0) text += "mesh        " + quality.text() + "\n";
+  const double steps = std::ceil(deck.time.end / deck.time.step - 1e-6);
   if (!deck.time.steady())
     text += fmt::format(
-        "first step  {:g} s, Courant number up to {:.3g}; at least {} steps to t = {:g} s\n",
-        length, courant, std::ceil(deck.time.end / deck.time.step - 1e-6), deck.time.end);
+        "first step  {:g} s, Courant number up to {:.3g}; at least {:.15g} step{} to t = {:g} s\n",
+        length, courant, steps, steps == 1 ? "" : "s", deck.time.end);
   text += fmt::format(
       "memory      about {:.0f} MB on {} rank(s): {:.0f} now, with a matrix of {} entries; factor "
       "about {:.0f}, vectors {:.0f}\n",

@@ -7,6 +7,7 @@
 #include "hawser/base/scratch_folder.hpp"
 #include "hawser/fields/look_up.hpp"
 #include "hawser/output/provenance.hpp"
+#include "hawser/report/mesh_monitor.hpp"
 #include "hawser/simulation/run_deck.hpp"
 #include "hawser/time/state_checkpoint.hpp"
 #include "hawser/time/step_control.hpp"
@@ -38,6 +39,20 @@ Stepper::Stepper(const Case& run_case)
   build();
 }
 
+namespace {
+
+/// A step that leaves the time where it is would be made for ever.
+void refuse_lost_step(const TimeDeck& deck, double begin) {
+  // Where steps may grow, the first one decides.
+  const double time = deck.targets ? begin : std::max(begin, deck.end);
+  if (deck.steady() || time + 0.5 * deck.step > time) return;
+  throw DeckError(deck.location.text() + ": a step of " + write_value(deck.step) +
+                  " s is lost in the round-off of t = " + write_value(time) +
+                  " s; needed is a longer one");
+}
+
+}  // namespace
+
 Stepper::Stepper(const Case& run_case, ProvidedMesh mesh)
     : case_(run_case), mesh_(std::move(mesh)) {
   build();
@@ -53,6 +68,7 @@ void Stepper::build() {
   control_ = std::make_unique<StepControl>(
       time_deck, time_deck.steady() ? std::vector<double>() : system_->conditions->events());
   const CheckpointReader* const checkpoint = case_.checkpoint();
+  refuse_lost_step(time_deck, checkpoint == nullptr ? time() : checkpoint->header().time);
   if (checkpoint == nullptr) return check_sources();
   const CheckpointHeader& header = checkpoint->header();
   system_->integrator->resume(load_history(*system_->dofs, *checkpoint));
@@ -153,6 +169,7 @@ Attempt Stepper::advance(double longest) {
   attempt.length = std::min(longest, control_->next(time(), system_->integrator->history().step));
   try {
     attempt.newton = solve(attempt.length);
+    refuse_tangled_mesh(*system_->dofs, system_->problem->state());
   } catch (const SolveError& error) {
     attempt.why = error.what();
     if (!case_.deck().time.single_solve()) return cut(std::move(attempt));

@@ -13,4 +13,9 @@ struct MeshFigures {
 /// Over all triangles. Collective.
 MeshFigures inspect_mesh(const DofMap& dofs, const State& state);
 
+/// SolveError, naming the cell and where it started, when a cell of the body is inside out. What
+/// moves the mesh need not see it itself: linear elasticity folds a cell without a word, and a
+/// module that lives on the cell would only stumble over it in the next step. Collective.
+void refuse_tangled_mesh(const DofMap& dofs, const State& state);
+
 }  // namespace hawser
