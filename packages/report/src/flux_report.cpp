@@ -22,7 +22,7 @@ Spec<FluxDeck> FluxDeck::spec() {
       .attribute("module-on", &P::module_on, absent("all modules of that name"),
                  "Regions of the modules that are meant, where several have the name.")
       .check(check_report_name<P>)
-      .source("doc/write_a_report.md");
+      .source("doc/decks.md");
 }
 
 FluxReport::FluxReport(const FluxDeck& deck, const ReportContext& context, Diagnostics& diagnostics)
