@@ -14,7 +14,8 @@ Spec<LineDeck> LineDeck::spec() {
   return Spec<P>(
              "line",
              "Writes formulas of fields at points along a straight line through the moved body: "
-             "NAME.csv whenever fields are written, and over time each one's least and greatest "
+             "line_NAME.csv whenever fields are written, and over time each one's least and "
+             "greatest "
              "value among the points and how far along the line they are.")
       .attribute("name", &P::name, required(), "Of the file, and start of the quantities' names.")
       .attribute("from", &P::from, "m", required() && length(2, 3), "Its beginning.")
@@ -28,8 +29,6 @@ Spec<LineDeck> LineDeck::spec() {
         check_name_and_unit(p, where, diagnostics);
         if (p.from.value == p.to.value)
           diagnostics.error(where, "line '" + p.name + "' ends where it begins");
-        if (p.name == "history")
-          diagnostics.error(where, "history.csv is the run's; call the line otherwise");
       })
       .source("doc/decks.md");
 }
@@ -66,8 +65,8 @@ std::vector<Column> LineReport::columns() const {
 }
 
 void LineReport::look_ahead(const Outlook& outlook, Diagnostics& diagnostics) const {
-  const auto found = formulas_.evaluate(places_, outlook.state);
-  const auto outside = std::count(found.inside.begin(), found.inside.end(), 0);
+  const std::vector<char> inside = formulas_.inside(places_, outlook.state);
+  const auto outside = std::count(inside.begin(), inside.end(), 0);
   const std::string begin = "line '" + deck_.name + "': ";
   if (outside == static_cast<std::ptrdiff_t>(places_.size()))
     diagnostics.error(deck_.from.location,
@@ -90,8 +89,9 @@ void LineReport::start(const ReportStart& start) {
              ? "value" + formula.name
              : formula.name,
          formula.unit});
-  file_ = std::make_unique<History>(mesh_.communicator, start.folder + "/" + deck_.name + ".csv",
-                                    columns, start.keep_until());
+  file_ =
+      std::make_unique<History>(mesh_.communicator, start.folder + "/line_" + deck_.name + ".csv",
+                                columns, start.keep_until());
 }
 
 std::vector<double> LineReport::measure(const Step& step) {

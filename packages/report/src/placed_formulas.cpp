@@ -29,6 +29,19 @@ PlacedFormulas::PlacedFormulas(const ReportContext& context,
 
 PlacedFormulas::Values PlacedFormulas::evaluate(const std::vector<Place>& places,
                                                 const State& state) const {
+  return each(places, state, [](const FormulaFields& formula, const FieldSampler& at) {
+    return formula.value(at);
+  });
+}
+
+std::vector<char> PlacedFormulas::inside(const std::vector<Place>& places,
+                                         const State& state) const {
+  return each(places, state, [](const FormulaFields&, const FieldSampler&) { return 0.0; }).inside;
+}
+
+template <class Evaluate>
+PlacedFormulas::Values PlacedFormulas::each(const std::vector<Place>& places, const State& state,
+                                            Evaluate&& evaluate) const {
   const Mesh& mesh = dofs_.mesh();
   const Region& body = mesh.body;
   locator_->move_to(state);
@@ -66,7 +79,7 @@ PlacedFormulas::Values PlacedFormulas::evaluate(const std::vector<Place>& places
         for (std::size_t k = 0; k < formula.fields().size(); ++k)
           lives = lives && sampler.lives_here(k);
         if (!lives) continue;
-        sums[here[q] * formulas_.size() + f] = formula.value(sampler);
+        sums[here[q] * formulas_.size() + f] = evaluate(formula, sampler);
         known[here[q] * formulas_.size() + f] = 1;
       }
     }

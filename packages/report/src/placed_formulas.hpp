@@ -31,11 +31,16 @@ class PlacedFormulas {
   /// The same on all ranks. On an edge of cells that of the least number counts. Collective;
   /// SolveError where a formula has no value.
   Values evaluate(const std::vector<Place>& places, const State& state) const;
+  /// Of the places alone: at the start a formula may have no value yet. Collective.
+  std::vector<char> inside(const std::vector<Place>& places, const State& state) const;
 
-  /// "the body reaches from (0, 0) to (4, 2) m". Collective; after evaluate().
+  /// "the body reaches from (0, 0) to (4, 2) m". Collective; after evaluate() or inside().
   std::string reach() const;
 
  private:
+  template <class Evaluate>
+  Values each(const std::vector<Place>& places, const State& state, Evaluate&& evaluate) const;
+
   const DofMap& dofs_;
   FormulaInstant instant_;
   std::vector<FormulaFields> formulas_;

@@ -45,8 +45,7 @@ std::vector<Column> PointReport::columns() const {
 }
 
 void PointReport::look_ahead(const Outlook& outlook, Diagnostics& diagnostics) const {
-  const auto found = formulas_.evaluate({place_}, outlook.state);
-  if (found.inside[0] == 0)
+  if (formulas_.inside({place_}, outlook.state)[0] == 0)
     diagnostics.error(deck_.at.location, "point '" + deck_.name + "' at " +
                                              place_text(place_.data(), deck_.at.value.size()) +
                                              " m is in no cell where its fields are solved for; " +

@@ -119,7 +119,7 @@ TEST_F(RegionReports, ALineIsATableOfWhatIsInTheBody) {
   reports.accepted(sample_.step());
   reports.write(sample_.step(), true, false);
   reports.write(sample_.step(), true, true);
-  std::ifstream file("middle.csv");
+  std::ifstream file("line_middle.csv");
   std::string header, first, line;
   std::getline(file, header);
   std::getline(file, first);
