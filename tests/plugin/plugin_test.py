@@ -111,6 +111,17 @@ class Energy(unittest.TestCase):
         self.assertEqual(hawser(1, "describe", "energy").returncode, 2)
 
 
+class Decay(unittest.TestCase):
+    def test_module_and_report_come_from_one_plugin(self):
+        for ranks in 1, 2, 3:
+            folder = SCRATCH / f"decay.np{ranks}"
+            done = hawser(ranks, "run", HERE / "decay.xml", "-o", folder, "-f", "-q")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("nothing prescribes 'tracer' on 'left'", done.stdout + done.stderr +
+                      (folder / "summary.json").read_text())
+        self.assertIn("Center=\"Cell\"", (folder / "flow.xdmf").read_text())
+
+
 class UnfitPlugin(unittest.TestCase):
     def refused(self, plugin, sentence, ranks=2, **options):
         deck = deck_with(plugin)

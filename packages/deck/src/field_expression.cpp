@@ -41,6 +41,7 @@ std::string FieldExpression::compile(const std::string& formula, const Location&
   result = FieldExpression();
   result.text_ = formula;
   result.location_ = location;
+  result.parameters_ = compiled->fields.parameters;
   if (compiled->fields.references.empty() && !compiled->formula.uses_any("xyzXYZt")) {
     result.value_ = compiled->formula.value({});
     if (!std::isfinite(result.value_)) return "its value is not finite";
@@ -61,11 +62,6 @@ FieldExpression FieldExpression::constant(double value, const std::optional<Unit
 const std::vector<FieldReference>& FieldExpression::references() const {
   static const std::vector<FieldReference> none;
   return compiled_ ? compiled_->fields.references : none;
-}
-
-const std::vector<std::string>& FieldExpression::parameters() const {
-  static const std::vector<std::string> none;
-  return compiled_ ? compiled_->fields.parameters : none;
 }
 
 std::vector<std::string> FieldExpression::names_beside(std::vector<std::string> fields) const {

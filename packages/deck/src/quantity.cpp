@@ -181,7 +181,11 @@ std::string read_expression(const Reading& reading, const std::string& text, Exp
 }
 std::string read_expression(const Reading& reading, const std::string& text,
                             FieldExpression& value) {
-  return read_any(reading, text, value);
+  std::string fault = read_any(reading, text, value);
+  // A parameter alone has become a constant with its unit.
+  if (fault.empty() && value.parameters().empty() && find_named(reading.names, text) != nullptr)
+    value.uses_parameter(text);
+  return fault;
 }
 
 std::string read_quantity(const Reading& reading, const std::string& text, double& value) {

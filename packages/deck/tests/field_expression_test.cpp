@@ -163,6 +163,9 @@ TEST(FieldExpression, ParametersComeBeforeFields) {
   EXPECT_EQ(e.parameters(), std::vector<std::string>{"gain"});
   const double temperature = 5;
   EXPECT_EQ(e({}, &temperature), 20);
+  FieldExpression constant;
+  EXPECT_EQ(FieldExpression::compile("2*gain", {}, &names, constant), "");
+  EXPECT_EQ(constant.parameters(), std::vector<std::string>{"gain"});
   const std::vector<std::string> all = e.names_beside({"temperature"});
   EXPECT_EQ(all.front(), "temperature");
   EXPECT_EQ(all.back(), "other");

@@ -169,10 +169,10 @@ bool CellLocator::invert(LocalIndex cell, const double* x, double* xi) const {
   constexpr int most_steps = 20;
   for (int step = 0; step < most_steps; ++step) {
     const Tabulation table =
-        step == 0 ? middle_
-                  : tabulate(nodes_ == static_cast<std::size_t>(shape.vertices) ? Basis::p1
-                                                                                : Basis::p2,
-                             at_point(body_.shape, xi));
+        step == 0
+            ? middle_
+            : tabulate(nodes_ == static_cast<std::size_t>(shape.vertices) ? Basis::p1 : Basis::p2,
+                       at_point(body_.shape, xi));
     Vector<double, 3> rest;
     Tensor<double, 3> jacobian;
     for (std::size_t j = 0; j < 3; ++j)

@@ -16,8 +16,11 @@ FieldSampler::FieldSampler(const DofMap& dofs, const Region& region, Quadrature 
       moving_(moving) {
   for (const int index : fields) {
     const FieldDescription& field = dofs.fields()[static_cast<std::size_t>(index)];
-    fields_.push_back(
-        {index, static_cast<std::size_t>(field.components), tabulate(field.basis, points_), {}, true});
+    fields_.push_back({index,
+                       static_cast<std::size_t>(field.components),
+                       tabulate(field.basis, points_),
+                       {},
+                       true});
   }
 }
 

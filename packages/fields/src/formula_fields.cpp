@@ -139,6 +139,7 @@ std::string FormulaFields::plain_unit(const DofMap& dofs) const {
   const std::string& unit = dofs.fields()[static_cast<std::size_t>(fields_.front())].unit;
   if (items_.front().along < 0) return unit;
   if (unit == "m") return "1";
+  if (unit.compare(0, 2, "m/") == 0) return "1" + unit.substr(1);
   return unit == "1" || unit.empty() ? "1/m" : unit + "/m";
 }
 

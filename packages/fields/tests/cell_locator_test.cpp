@@ -16,8 +16,8 @@ INSTANTIATE_TEST_SUITE_P(Bases, Locator, testing::Values(Basis::p1, Basis::p2));
 /// it again, on one rank at least, and what is outside in none.
 TEST_P(Locator, FindsThePointsOfAllCells) {
   const Mesh mesh = read_text(Communicator(), grid(4, 3).in_format("4.1"));
-  const DofMap dofs(
-      mesh, {{"displacement", "m", "m", 2, GetParam(), Numbering::continuous, {"water"}}});
+  const DofMap dofs(mesh,
+                    {{"displacement", "m", "m", 2, GetParam(), Numbering::continuous, {"water"}}});
   State state;
   state.value.assign(static_cast<std::size_t>(dofs.rows()), 0);
   for (LocalIndex row = 0; row < dofs.rows(); ++row) {

@@ -95,7 +95,8 @@ void FieldWriter::write(int step, double time, const std::vector<double>& coordi
   require_size(coordinates.size(), owned * static_cast<std::size_t>(grid_.dimension),
                "coordinates");
   for (const PointField& field : fields) {
-    require_size(field.values.size(), owned * static_cast<std::size_t>(field.components),
+    const std::size_t places = field.of_cells ? grid_.cell_ids.size() : owned;
+    require_size(field.values.size(), places * static_cast<std::size_t>(field.components),
                  field.name);
   }
 
@@ -104,7 +105,7 @@ void FieldWriter::write(int step, double time, const std::vector<double>& coordi
   GlobalIndex numbers =
       3 * grid_.point_count + static_cast<GlobalIndex>(corners) * grid_.cell_count;
   for (const PointField& field : fields) {
-    numbers += grid_.point_count * written_components(field.components);
+    numbers += rows_of(grid_, field) * written_components(field.components);
   }
   communicator_.on_root([&] { try_room(unfinished(data), room_for(numbers)); });
   Hdf5File file = Hdf5File::create(communicator_, unfinished(data));
@@ -116,9 +117,11 @@ void FieldWriter::write(int step, double time, const std::vector<double>& coordi
   file.make_group("fields");
   for (const PointField& field : fields) {
     const int components = written_components(field.components);
-    file.write("fields/" + field.name, {grid_.point_count, components}, points_->positions(),
+    file.write("fields/" + field.name, {rows_of(grid_, field), components},
+               field.of_cells ? cells_->positions() : points_->positions(),
                widened(field.values, field.components, components));
     file.set("fields/" + field.name, "unit", field.unit);
+    if (field.of_cells) file.set("fields/" + field.name, "of", std::string("cells"));
   }
   file.close();
 

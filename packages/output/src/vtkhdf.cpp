@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
@@ -161,13 +162,27 @@ void write_vtkhdf(const std::string& path, const Grid& grid, const std::vector<P
   writer.steps("/VTKHDF/Steps/CellOffsets", zeros);
   writer.steps("/VTKHDF/Steps/ConnectivityIdOffsets", zeros);
 
-  writer.group("/VTKHDF/PointData");
-  writer.group("/VTKHDF/Steps/PointDataOffsets");
-  for (const PointField& field : fields) {
-    const Sizes one = rows_by_components(points, written_components(field.components));
-    writer.joined("/VTKHDF/PointData/" + field.name, H5T_NATIVE_DOUBLE, "/fields/" + field.name,
-                  one, one, files, &nothing);
-    writer.steps("/VTKHDF/Steps/PointDataOffsets/" + field.name, points_before);
+  for (const bool of_cells : {false, true}) {
+    const bool any = std::any_of(fields.begin(), fields.end(), [&](const PointField& field) {
+      return field.of_cells == of_cells;
+    });
+    if (of_cells && !any) continue;
+    const std::string data = of_cells ? "CellData" : "PointData";
+    const std::string offsets = "/VTKHDF/Steps/" + data + "Offsets";
+    writer.group("/VTKHDF/" + data);
+    writer.group(offsets);
+    for (const PointField& field : fields) {
+      if (field.of_cells != of_cells) continue;
+      const GlobalIndex rows = rows_of(grid, field);
+      const Sizes one =
+          rows_by_components(static_cast<hsize_t>(rows), written_components(field.components));
+      writer.joined("/VTKHDF/" + data + "/" + field.name, H5T_NATIVE_DOUBLE,
+                    "/fields/" + field.name, one, one, files, &nothing);
+      std::vector<GlobalIndex> before(files.size());
+      for (std::size_t i = 0; i < files.size(); ++i)
+        before[i] = rows * numbers[i];
+      writer.steps(offsets + "/" + field.name, before);
+    }
   }
   writer.close();
   finish(path);

@@ -41,9 +41,9 @@ std::string xdmf_grid(const Grid& grid, const std::string& data,
   for (const PointField& field : fields) {
     const int written = written_components(field.components);
     text += fmt::format(
-        "<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n{}\n</Attribute>\n",
-        field.name, attribute_type(written),
-        table(data, "fields/" + field.name, grid.point_count, written, "Float"));
+        "<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">\n{}\n</Attribute>\n",
+        field.name, attribute_type(written), field.of_cells ? "Cell" : "Node",
+        table(data, "fields/" + field.name, rows_of(grid, field), written, "Float"));
   }
   return text + "</Grid>\n";
 }

@@ -12,6 +12,11 @@ namespace hawser {
 /// Vectors of two components are written with a third, zero, because that is what ParaView draws.
 int written_components(int components);
 
+/// How many rows a field's table has: of points or of cells.
+inline GlobalIndex rows_of(const Grid& grid, const PointField& field) {
+  return field.of_cells ? grid.cell_count : grid.point_count;
+}
+
 /// The <Grid> element of one output. `data` is the HDF5 file's name, in the same folder.
 std::string xdmf_grid(const Grid& grid, const std::string& data,
                       const std::vector<PointField>& fields);

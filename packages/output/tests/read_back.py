@@ -49,6 +49,9 @@ def check_series(folder, name, kind):
             first = steps["CellOffsets"][i]
             assert (root["Types"][first:first + len(cells)] == vtk_kind).all()
             np.testing.assert_array_equal(root["Offsets"][first:first + len(cells) + 1], corners * np.arange(len(cells) + 1))
+            at = steps["CellDataOffsets"]["tension"][i]
+            assert list(root["CellData"]) == ["tension"]
+            np.testing.assert_allclose(root["CellData"]["tension"][at:at + len(cells)], 10 * np.arange(len(cells)) + time)
             assert sorted(root["PointData"]) == sorted(fields)
             for key, values in fields.items():
                 at = steps["PointDataOffsets"][key][i]
@@ -63,15 +66,19 @@ def check(folder, name, kind):
             assert file.attrs["step"] == step and file.attrs["time"] == time
             np.testing.assert_array_equal(file["cells"][:], cells)
             np.testing.assert_allclose(file["points"][:], points, rtol=1e-15)
-            assert sorted(file["fields"]) == sorted(fields)
+            assert sorted(file["fields"]) == sorted([*fields, "tension"])
             for key, values in fields.items():
                 np.testing.assert_allclose(file["fields"][key][:], values, rtol=1e-15)
+            of_cells = 10 * np.arange(len(cells)) + time
+            np.testing.assert_allclose(file["fields/tension"][:], of_cells)
+            assert file["fields/tension"].attrs["of"] in (b"cells", "cells")
             assert file["fields/velocity"].attrs["unit"] in (b"m/s", "m/s")
         mesh = meshio.read(f"{folder}/{name}-{step:06d}.xdmf")
         np.testing.assert_allclose(mesh.points, points, rtol=1e-15)
         np.testing.assert_array_equal(mesh.cells_dict[kind], cells)
         for key, values in fields.items():
             np.testing.assert_allclose(mesh.point_data[key], values, rtol=1e-15)
+        np.testing.assert_allclose(mesh.cell_data["tension"][0], of_cells)
     check_series(folder, name, kind)
     times = [float(t.get("Value")) for t in xml.parse(f"{folder}/{name}.xdmf").iter("Time")]
     assert times == [0, 25, 50], times

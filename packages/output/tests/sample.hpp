@@ -70,7 +70,10 @@ inline std::vector<PointField> fields(const Grid& grid, double time) {
     velocity.values.push_back(1.0 / (1.0 + s));
     velocity.values.push_back(-time * s);
   }
-  return {pressure, velocity};
+  PointField tension{"tension", "N", 1, {}, true};
+  for (const GlobalIndex id : grid.cell_ids)
+    tension.values.push_back(10.0 * static_cast<double>(id) + time);
+  return {pressure, velocity, tension};
 }
 
 }  // namespace hawser::sample

@@ -57,7 +57,7 @@ Spec<ExtremeDeck> ExtremeDeck::spec() {
       .attribute("unit", &P::unit, absent("that of the field, where the formula is one, else 1"),
                  "Unit of the values, for their names: nothing is converted.")
       .check(check_name_and_unit<P>)
-      .source("doc/write_a_report.md");
+      .source("doc/decks.md");
 }
 
 ExtremeReport::ExtremeReport(const ExtremeDeck& deck, const ReportContext& context,

@@ -1,6 +1,7 @@
 #include "hawser/report/field_output.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "hawser/physics/field_use.hpp"
@@ -158,7 +159,42 @@ void FieldOutput::write_flow(int step, const State& state) {
         coordinates[i] += field.values[i];
     fields.push_back(std::move(field));
   }
+  for (PointField& quantity : body_quantities(state))
+    fields.push_back(std::move(quantity));
   flow_->write(step, state.time, coordinates, fields);
+}
+
+/// Of one name on several regions they are one field; where none has it, it is not a number.
+std::vector<PointField> FieldOutput::body_quantities(const State& state) const {
+  const Mesh& mesh = dofs_.mesh();
+  std::vector<std::size_t> place(mesh.body.cell_ids.size(), 0);  // among the counted cells
+  std::vector<char> counted(place.size(), 0);
+  std::size_t count = 0;
+  for (std::size_t cell = 0; cell < place.size(); ++cell) {
+    counted[cell] = mesh.body.cell_owners[cell] == mesh.communicator.rank() ? 1 : 0;
+    place[cell] = count;
+    count += counted[cell] != 0 ? 1 : 0;
+  }
+  std::vector<PointField> fields;
+  for (const Region& region : mesh.regions) {
+    if (region.dimension != mesh.dimension) continue;
+    const std::vector<LocalIndex> in_body = places_in(mesh.body, region);
+    for (const auto& quantity : assembler_.cell_quantities(region, state)) {
+      const bool taken = dofs_.find(quantity.name) >= 0;
+      const std::string name = quantity.name + (taken ? "_of_cells" : "");
+      auto field = std::find_if(fields.begin(), fields.end(),
+                                [&](const PointField& known) { return known.name == name; });
+      if (field == fields.end()) {
+        const std::vector<double> nothing(count, std::numeric_limits<double>::quiet_NaN());
+        field = fields.insert(field, {name, quantity.unit, 1, nothing, true});
+      }
+      for (std::size_t i = 0; i < in_body.size(); ++i) {
+        const auto cell = static_cast<std::size_t>(in_body[i]);
+        if (counted[cell] != 0) field->values[place[cell]] = quantity.values[i];
+      }
+    }
+  }
+  return fields;
 }
 
 PointField FieldOutput::at_points(const LineGrid& line, int field, const State& state) const {

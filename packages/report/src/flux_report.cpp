@@ -16,13 +16,14 @@ Spec<FluxDeck> FluxDeck::spec() {
                  "of a gradient does not. Per component of the field.")
       .attribute("name", &P::name, required(), "Start of the quantities' names.")
       .attribute("field", &P::field, required(), "Field by name.")
-      .attribute("on", &P::on, required(), "Region whose rows are summed.")
+      .attribute("on", &P::on, required(),
+                 "Regions whose rows are summed; a node of several counts once.")
       .attribute("module", &P::module,
                  "Module whose contribution on the region is reported; all for the reaction.")
       .attribute("module-on", &P::module_on, absent("all modules of that name"),
                  "Regions of the modules that are meant, where several have the name.")
       .check(check_report_name<P>)
-      .source("doc/write_a_report.md");
+      .source("doc/decks.md");
 }
 
 FluxReport::FluxReport(const FluxDeck& deck, const ReportContext& context, Diagnostics& diagnostics)
@@ -52,7 +53,7 @@ void FluxReport::look_ahead(const Outlook& outlook, Diagnostics& diagnostics) co
   if (!dofs_.mesh().communicator.any(any))
     diagnostics.note(deck_.on.location,
                      "flux '" + deck_.name + "': nothing prescribes '" + deck_.field.value +
-                         "' on '" + deck_.on.value +
+                         "' on '" + Domain(deck_.on.value).text() +
                          "' at the start, and where nothing does there is no reaction; "
                          "module=\"...\" gives what a module brings, an <integral> what is carried "
                          "across");

@@ -6,7 +6,8 @@ namespace hawser {
 
 struct FluxDeck {
   std::string name;
-  Located<std::string> field, on;
+  Located<std::string> field;
+  Located<std::vector<std::string>> on;
   Located<std::string> module{"all", {}};
   Located<std::vector<std::string>> module_on;
   static Spec<FluxDeck> spec();

@@ -19,7 +19,7 @@ Spec<IntegralDeck> IntegralDeck::spec() {
       .attribute("unit", &P::unit, "Unit of the result, for its name: nothing is converted.")
       .attribute("mean", &P::mean, "Divide by the region's length or area.")
       .check(check_name_and_unit<P>)
-      .source("doc/write_a_report.md");
+      .source("doc/decks.md");
 }
 
 IntegralReport::IntegralReport(const IntegralDeck& deck, const ReportContext& context,

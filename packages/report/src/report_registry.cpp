@@ -7,6 +7,8 @@
 #include "src/flux_report.hpp"
 #include "src/force_report.hpp"
 #include "src/integral_report.hpp"
+#include "src/line_report.hpp"
+#include "src/point_report.hpp"
 #include "src/probe_report.hpp"
 
 namespace hawser {
@@ -19,6 +21,8 @@ void register_reports(ReportRegistry& registry) {
   registry.add<IntegralReport>();
   registry.add<FluxReport>();
   registry.add<ExtremeReport>();
+  registry.add<PointReport>();
+  registry.add<LineReport>();
 }
 
 std::vector<NodeSpec> ReportRegistry::specs(const std::string& parent) const {

@@ -25,27 +25,35 @@ bool lives_on(const PhysicsModule& module, const std::vector<std::string>& regio
 RowSums::RowSums(LoadDeck deck, const ReportContext& context, Diagnostics& diagnostics)
     : assembler_(context.assembler), deck_(std::move(deck)) {
   const DofMap& dofs = context.dofs();
-  const Region* const region = find_region(dofs.mesh(), deck_.on, diagnostics);
   field_ = find_field(dofs, deck_.field, diagnostics);
-  if (region != nullptr && field_ >= 0)
+  std::set<LocalIndex> rows;
+  std::vector<LocalIndex> vertices;
+  bool all_there = true;
+  for (const std::string& name : deck_.on.value) {
+    const Region* const region = find_region(dofs.mesh(), name, deck_.on.location, diagnostics);
+    all_there = all_there && region != nullptr;
+    if (region == nullptr || field_ < 0) continue;
     for (const LocalIndex row : dofs.region_rows(field_, *region))
-      if (row < dofs.owned()) rows_.push_back(row);
-  if (region != nullptr && field_ >= 0 && !dofs.mesh().communicator.any(!rows_.empty()))
+      if (row < dofs.owned()) rows.insert(row);
+    vertices.insert(vertices.end(), region->vertices.begin(), region->vertices.end());
+  }
+  rows_.assign(rows.begin(), rows.end());
+  if (all_there && field_ >= 0 && !dofs.mesh().communicator.any(!rows_.empty()))
     diagnostics.error(deck_.on.location, "no module solves for a " + deck_.field.value +
-                                             " on region '" + deck_.on.value + "': there is no " +
-                                             deck_.kind + " to report");
+                                             " on region '" + Domain(deck_.on.value).text() +
+                                             "': there is no " + deck_.kind + " to report");
   if (deck_.module.value != "all") choose_modules(context.modules, diagnostics);
-  if (region != nullptr) note_a_sum(context.modules, *region, diagnostics);
+  if (all_there) note_a_sum(context.modules, vertices, diagnostics);
 }
 
 /// A region of one module alone that another of the name meets, as in the joint of two cables,
 /// could mean either; one that they share among them, such as the wall of two waters, means both.
-void RowSums::note_a_sum(const std::vector<PhysicsModule>& modules, const Region& region,
-                         Diagnostics& diagnostics) const {
+void RowSums::note_a_sum(const std::vector<PhysicsModule>& modules,
+                         const std::vector<LocalIndex>& vertices, Diagnostics& diagnostics) const {
   if (!deck_.module_on.value.empty()) return;
   const Mesh& mesh = assembler_.dofs().mesh();
   // All cells at an owned vertex are here.
-  std::set<LocalIndex> wanted(region.vertices.begin(), region.vertices.end());
+  std::set<LocalIndex> wanted(vertices.begin(), vertices.end());
   wanted.erase(wanted.lower_bound(mesh.vertices.owned), wanted.end());
   std::vector<std::string> there;
   bool one_has_all = false;
@@ -64,7 +72,8 @@ void RowSums::note_a_sum(const std::vector<PhysicsModule>& modules, const Region
     diagnostics.note(deck_.module.location,
                      deck_.kind + " '" + deck_.name + "' is the sum of " +
                          std::to_string(there.size()) + " modules '" + deck_.module.value +
-                         "' that meet on '" + deck_.on.value + "' (" + listed(there) +
+                         "' that meet on '" + Domain(deck_.on.value).text() + "' (" +
+                         listed(there) +
                          "); name in module-on=\"...\" the regions of those that are meant");
 }
 

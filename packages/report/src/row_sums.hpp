@@ -9,7 +9,7 @@ namespace hawser {
 struct LoadDeck {
   std::string name;                             ///< of the report
   std::string kind;                             ///< its tag
-  Located<std::string> on;                      ///< region
+  Located<std::vector<std::string>> on;         ///< regions; a node of several counts once
   Located<std::string> field;                   ///< by name
   Located<std::string> module{"all", {}};       ///< all: the reaction
   Located<std::vector<std::string>> module_on;  ///< all when empty
@@ -29,8 +29,8 @@ class RowSums {
 
  private:
   void choose_modules(const std::vector<PhysicsModule>& modules, Diagnostics& diagnostics);
-  void note_a_sum(const std::vector<PhysicsModule>& modules, const Region& region,
-                  Diagnostics& diagnostics) const;
+  void note_a_sum(const std::vector<PhysicsModule>& modules,
+                  const std::vector<LocalIndex>& vertices, Diagnostics& diagnostics) const;
 
   const Assembler& assembler_;
   LoadDeck deck_;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "hawser/report/line_geometry.hpp"
 #include "output/src/hdf5_file.hpp"
 #include "report_sample.hpp"
@@ -62,6 +64,46 @@ TEST(FieldOutput, WritesABranchedLineAndOneApartByTheirOwnCells) {
   EXPECT_EQ(numbers("flow-000003.h5", "cells").size(), 48U);
   const Hdf5File tree = Hdf5File::open(Communicator(), "tree-000003.h5");
   EXPECT_EQ(tree.names("fields"), (std::vector<std::string>{"middle", "velocity"}));
+}
+
+/// Tells the x of a corner of each of its triangles.
+class CornerKernel : public LoadKernel {
+ public:
+  explicit CornerKernel(const std::string& region)
+      : LoadKernel(region, CellShape::triangle, {velocity(Role::adds), displacement(Role::adds)}) {}
+  std::vector<Quantity> quantities() const override { return {{"corner", "m"}}; }
+  void evaluate(const CellInput& cell, double* values) const override {
+    values[0] = cell.coordinates[0];
+  }
+};
+
+TEST(FieldOutput, WritesWhatTheKernelsTellOfTheCellsOfABody) {
+  MeshText text = grid(2, 1);  // cells (0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4)
+  text.groups.push_back({"left", 2, {{0, 1, 4}, {0, 4, 3}}});
+  const Mesh mesh = read_text(Communicator(), text.in_format("4.1"));
+  std::vector<PhysicsModule> modules;
+  modules.push_back(module_with("solid", std::make_unique<CornerKernel>("left")));
+  modules.push_back(module_with(
+      "flow", std::make_unique<LoadKernel>(
+                  "water", CellShape::triangle,
+                  std::vector<FieldUse>{velocity(Role::adds), displacement(Role::adds)})));
+  const FieldTable table = gather_fields(modules);
+  const DofMap dofs(mesh, table.fields);
+  const Assembler assembler(dofs, modules);
+  State state;
+  for (std::vector<double>* values :
+       {&state.value, &state.rate, &state.accepted, &state.rate_slope, &state.rate_partner})
+    values->assign(static_cast<std::size_t>(dofs.rows()), 0);
+  const std::vector<std::unique_ptr<Report>> none;
+  FieldOutput(assembler, modules, none, ".", -1).write(7, state);
+  const std::vector<double> corner = numbers("flow-000007.h5", "fields/corner");
+  ASSERT_EQ(corner.size(), 4U);
+  EXPECT_EQ(corner[0], 0);
+  EXPECT_EQ(corner[1], 0);
+  EXPECT_TRUE(std::isnan(corner[2]) && std::isnan(corner[3])) << "nobody tells it there";
+  const Hdf5File file = Hdf5File::open(Communicator(), "flow-000007.h5");
+  EXPECT_EQ(file.text("fields/corner", "of"), "cells");
+  EXPECT_EQ(file.text("fields/corner", "unit"), "m");
 }
 
 /// Puts the cable in order from its tail and says where its nodes are in it.

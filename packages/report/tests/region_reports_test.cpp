@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "hawser/base/error.hpp"
 #include "report_sample.hpp"
@@ -89,7 +90,52 @@ TEST_F(RegionReports, AFluxIsTheReactionOrTheLoadOfAModule) {
             (std::vector<std::string>{"a_flux_x_n_per_m", "a_flux_y_n_per_m"}));
 }
 
+TEST_F(RegionReports, APointIsInTheCellThatHasMovedThere) {
+  const auto at = values("<point name='p' at='2.3 0.7' of='velocity_x; dx(velocity_x); X; 2*t'/>");
+  EXPECT_NEAR(at[0], 2.3 + 1.4, 1e-13);
+  EXPECT_NEAR(at[1], 1, 1e-13);
+  EXPECT_NEAR(at[2], 2.3 / 1.25, 1e-13);
+  EXPECT_EQ(at[3], 0);
+  EXPECT_EQ(
+      names("<point name='p' at='2.3 0.7' of='velocity_x; dx(velocity_x); X; 2*t'/>"),
+      (std::vector<std::string>{"p_velocity_x_m_per_s", "p_dx_velocity_x_1_per_s", "p_3", "p_4"}));
+  EXPECT_EQ(names("<point name='p' at='2.3 0.7' of='2*velocity_x' unit='m/s'/>"),
+            (std::vector<std::string>{"p_m_per_s"}));
+  EXPECT_NEAR(values("<point name='p' at='5 2' of='velocity_x'/>")[0], 9, 1e-13);
+}
+
+TEST_F(RegionReports, ALineIsATableOfWhatIsInTheBody) {
+  const std::string text =
+      "<line name='middle' from='-1 1' to='5 1' points='7' of='velocity_x; y^2' unit='m^2'/>";
+  const auto extremes = values(text);
+  EXPECT_EQ(extremes[1], 1);
+  EXPECT_NEAR(extremes[0], 2, 1e-13);
+  EXPECT_NEAR(extremes[2], 7, 1e-13);
+  EXPECT_EQ(extremes[3], 6);
+  EXPECT_EQ(names(text)[3], "middle_velocity_x_max_along_m");
+  Diagnostics faults;
+  Reports reports = sample_.reports(registry_, text, faults);
+  reports.start({".", sample_.state, false});
+  reports.accepted(sample_.step());
+  reports.write(sample_.step(), true, false);
+  reports.write(sample_.step(), true, true);
+  std::ifstream file("line_middle.csv");
+  std::string header, first, line;
+  std::getline(file, header);
+  std::getline(file, first);
+  int rows = 1;
+  while (std::getline(file, line))
+    ++rows;
+  EXPECT_EQ(header, "t_s,along_m,x_m,y_m,velocity_x_m_per_s,value2_m2");
+  EXPECT_EQ(first, "0,1,0,1,2,1");
+  EXPECT_EQ(rows, 6);
+}
+
 TEST_F(RegionReports, WhatDoesNotFitIsSaid) {
+  EXPECT_NE(faults("<point name='p' at='1 2 3' of='1'/>").find("has 3 coordinates, the mesh 2"),
+            std::string::npos);
+  EXPECT_NE(faults("<line name='p' from='1 2' to='1 2' of='1'/>").find("ends where it begins"),
+            std::string::npos);
   EXPECT_EQ(faults("<integral name='a' of='velocity_u' on='water'/>").find("d.xml:1:28: "), 0U);
   EXPECT_NE(faults("<integral name='a' of='1' on='watr'/>").find("did you mean 'water'?"),
             std::string::npos);

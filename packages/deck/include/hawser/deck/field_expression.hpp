@@ -71,7 +71,8 @@ class FieldExpression {
   const std::optional<Unit>& unit() const { return unit_; }
 
   /// Parameters of the deck that the formula uses: one that has a field's name hides that field.
-  const std::vector<std::string>& parameters() const;
+  const std::vector<std::string>& parameters() const { return parameters_; }
+  void uses_parameter(const std::string& name) { parameters_.push_back(name); }
   /// For the sentence about a reference to nothing: every name that a formula may have beside
   /// `fields` (variables, constants, parameters), and they.
   std::vector<std::string> names_beside(std::vector<std::string> fields) const;
@@ -84,6 +85,7 @@ class FieldExpression {
   double value_ = 0;  // when constant
   std::shared_ptr<const Compiled> compiled_;
   std::string text_;
+  std::vector<std::string> parameters_;  // of a constant, too
   std::optional<Unit> unit_;
   Location location_;
 };

@@ -38,12 +38,12 @@ class CellLocator {
   int moving_;
   bool placed_ = false;
   std::size_t dimension_, nodes_;
-  Tabulation middle_;                       // of the map, in the middle of the reference cell
-  std::vector<LocalIndex> cells_;           // counted here, ascending
-  std::vector<double> nodes_of_;            // [cell of cells_][node][dimension], m
-  std::vector<double> low_, high_;          // [cell of cells_][dimension], m
-  std::vector<double> origin_, width_;      // of the bins, per dimension
-  std::vector<std::size_t> bins_;           // how many, per dimension
+  Tabulation middle_;                             // of the map, in the middle of the reference cell
+  std::vector<LocalIndex> cells_;                 // counted here, ascending
+  std::vector<double> nodes_of_;                  // [cell of cells_][node][dimension], m
+  std::vector<double> low_, high_;                // [cell of cells_][dimension], m
+  std::vector<double> origin_, width_;            // of the bins, per dimension
+  std::vector<std::size_t> bins_;                 // how many, per dimension
   std::vector<std::vector<std::size_t>> in_bin_;  // places in cells_, ascending
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What is drawn: points, the cells that join them, and fields at the points.
+// What is drawn: points, the cells that join them, and fields at either.
 #include <string>
 #include <vector>
 
@@ -24,11 +24,14 @@ struct Grid {
   std::vector<GlobalIndex> cells;      ///< [owned cell][vertex]: point ids
 };
 
+/// At the points, or in the cells.
 struct PointField {
   std::string name;
   std::string unit;  ///< empty when it has none
   int components = 1;
   std::vector<double> values;  ///< [owned point][component], in the order of Grid::point_ids
+  /// The values are [owned cell][component], in the order of Grid::cell_ids.
+  bool of_cells = false;
 };
 
 }  // namespace hawser

@@ -1,5 +1,6 @@
 #pragma once
-// The flow on the moved mesh, and every line on which a module works as a grid of its own.
+// The flow on the moved mesh with what the kernels tell of its cells, and every line on which a
+// module works as a grid of its own.
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ class FieldOutput {
   void add_line(const Region& region, const std::string& folder, int keep_until);
   void write_flow(int step, const State& state);
   void write_line(const LineGrid& line, int step, const State& state);
+  std::vector<PointField> body_quantities(const State& state) const;
   PointField at_points(const LineGrid& line, int field, const State& state) const;
 
   const Assembler& assembler_;
