@@ -5,8 +5,8 @@
 #include "hawser/deck/manual.hpp"
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/deck_templates.hpp"
-#include "run_options.hpp"
 #include "plugin_template.hpp"
+#include "run_options.hpp"
 #include "verb.hpp"
 
 namespace hawser::program {
@@ -96,7 +96,8 @@ Verb new_verb(CLI::App& app) {
       "new", "print a commented deck to begin with, or make the folder of a plug-in");
   verb->footer("Examples: hawser new tow > my.xml\n          hawser new plugin salinity");
   const auto name = std::make_shared<std::string>(), plugin = std::make_shared<std::string>();
-  verb->add_option("template", *name, "a deck's name, or plugin; without one, the names are listed");
+  verb->add_option("template", *name,
+                   "a deck's name, or plugin; without one, the names are listed");
   verb->add_option("plugin-name", *plugin, "of a new plug-in and its folder");
   return {verb, Alone([name, plugin](const Environment&) {
             if (*name != "plugin") return print_template(*name);

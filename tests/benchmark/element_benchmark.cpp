@@ -12,7 +12,8 @@ namespace hawser {
 namespace {
 
 struct Triangle {
-  FluidKernel<2> kernel{"water", {std::vector<double>{1000}, std::vector<double>{300}, std::nullopt, std::nullopt}};
+  FluidKernel<2> kernel{
+      "water", {std::vector<double>{1000}, std::vector<double>{300}, std::nullopt, std::nullopt}};
   std::vector<double> coordinates = {0, 0, 20, 1, 8, 18};
   std::vector<double> velocity = {0.1, -0.5, 0.2, -0.4, 0.0, -0.45};
   std::vector<double> pressure = {10, 20, -5};

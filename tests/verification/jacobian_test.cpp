@@ -45,14 +45,20 @@ const Snippets snippets = {
     {"mesh-motion", R"x(<mesh-motion region="water" stiffness="2 + x*dx(displacement_y)"/>)x"},
     {"ale-fluid",
      R"x(<ale-fluid region="water" density="1000 + 3*temperature" viscosity="300 + 2*temperature^2 + dx(temperature)"
-                   body-force="velocity_y*temperature; dy(temperature) - x"/>)x" + water_and_heat.substr(water_and_heat.find("<heat"))},
-    {"buoyancy", R"x(<buoyancy region="water" expansion="2e-4" reference="20"/>)x" + water_and_heat},
-    {"eddy-viscosity", R"x(<eddy-viscosity region="water" model="smagorinsky"/>)x" + water_and_heat},
+                   body-force="velocity_y*temperature; dy(temperature) - x"/>)x" +
+         water_and_heat.substr(water_and_heat.find("<heat"))},
+    {"buoyancy",
+     R"x(<buoyancy region="water" expansion="2e-4" reference="20"/>)x" + water_and_heat},
     {"eddy-viscosity",
-     R"x(<eddy-viscosity region="water" model="mixing-length" length="0.1 + 0.02*x*y"/>)x" + water_and_heat},
-    {"porous-zone", R"x(<porous-zone region="water" linear="0.3" quadratic="0.7"/>)x" + water_and_heat},
+     R"x(<eddy-viscosity region="water" model="smagorinsky"/>)x" + water_and_heat},
+    {"eddy-viscosity",
+     R"x(<eddy-viscosity region="water" model="mixing-length" length="0.1 + 0.02*x*y"/>)x" +
+         water_and_heat},
+    {"porous-zone",
+     R"x(<porous-zone region="water" linear="0.3" quadratic="0.7"/>)x" + water_and_heat},
     {"property",
-     R"x(<property name="viscosity" region="water" value="3*temperature^2" adds="true"/>)x" + water_and_heat},
+     R"x(<property name="viscosity" region="water" value="3*temperature^2" adds="true"/>)x" +
+         water_and_heat},
     {"heat-transport",
      R"x(<heat-transport region="water" capacity="4e6 + temperature" conductivity="5 + 0.1*temperature"
                         source="sin(temperature)*x"/>)x"},
@@ -119,7 +125,8 @@ double check_kernel(Kernel& kernel, const Mesh& mesh, unsigned seed) {
   return worst_tangent_error(kernel, coordinates, seed);
 }
 
-/// Each of a module's snippets, as they are for a mesh of that dimension: it, and what works with it.
+/// Each of a module's snippets, as they are for a mesh of that dimension: it, and what works with
+/// it.
 std::vector<std::vector<PhysicsModule>> make_modules(const ModuleRegistry& registry,
                                                      const std::string& tag, const Snippets& known,
                                                      int dimension) {

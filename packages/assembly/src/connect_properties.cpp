@@ -120,8 +120,7 @@ class Connecting {
         clash[1] = &supplier;
       }
     }
-    if (clash[1] != nullptr)
-      complain_of_two(module, use, clash, clashes_with_constant);
+    if (clash[1] != nullptr) complain_of_two(module, use, clash, clashes_with_constant);
     const bool lacks = std::count(first.begin(), first.end(), nullptr) > 0;
     if (mesh_.communicator.any(lacks) && !has_constant && !use.otherwise)
       complain_of_none(module, kernel, use);
@@ -129,17 +128,15 @@ class Connecting {
 
   void complain_of_two(const PhysicsModule& module, const PropertyUse& use,
                        const Supplier* const (&clash)[2], bool with_constant) {
-    const std::string other = with_constant || clash[0] == nullptr
-                                  ? "its own attribute"
-                                  : text_of(*clash[0]);
+    const std::string other =
+        with_constant || clash[0] == nullptr ? "its own attribute" : text_of(*clash[0]);
     diagnostics_.error(module.location, named(module) + " gets '" + use.name + "' from " + other +
                                             " and from " + text_of(*clash[1]) +
                                             " on the same cells, and not both of them add; leave "
                                             "one out, or give each cells of its own");
   }
 
-  void complain_of_none(const PhysicsModule& module, const Kernel& kernel,
-                        const PropertyUse& use) {
+  void complain_of_none(const PhysicsModule& module, const Kernel& kernel, const PropertyUse& use) {
     std::set<std::string> names;
     for (const Supplier& supplier : suppliers_)
       names.insert(supplier.supply->source->property().name);
@@ -150,8 +147,8 @@ class Connecting {
             kernel.domain().text() +
             "', and nobody gives it there: neither an attribute of the module, nor <property>, "
             "nor another module" +
-            (known.empty() ? "" : "; supplied are " + listed(known) +
-                                      did_you_mean(use.name, known)));
+            (known.empty() ? ""
+                           : "; supplied are " + listed(known) + did_you_mean(use.name, known)));
   }
 
   const Mesh& mesh_;
@@ -170,8 +167,7 @@ std::vector<char> cells_within(const Mesh& mesh, const Region& region, const Dom
   for (LocalIndex cell = 0; cell < body.size(); ++cell)
     cells.insert(sorted_vertices(body, cell));
   for (LocalIndex cell = 0; cell < region.size(); ++cell)
-    within[static_cast<std::size_t>(cell)] =
-        cells.count(sorted_vertices(region, cell)) > 0 ? 1 : 0;
+    within[static_cast<std::size_t>(cell)] = cells.count(sorted_vertices(region, cell)) > 0 ? 1 : 0;
   return within;
 }
 

@@ -130,8 +130,7 @@ CellGatherer::CellGatherer(const KernelCells& cells, const Mesh& mesh, const Sta
         {&value_[first], &rate_[first], &accepted_[first], &slope_[first], &partner_[first]});
   }
   input_ = {state.time,    state.step,  coordinates_.data(), fields_.data(), nullptr,
-            state.elapsed, state.share, state.bounds_energy, false,
-            nullptr};
+            state.elapsed, state.share, state.bounds_energy, false,          nullptr};
 }
 
 const CellInput& CellGatherer::gather(LocalIndex cell) {

@@ -26,7 +26,7 @@ struct KernelCells {
   std::vector<int> levels;  ///< the fields among them that have a level
   /// [cell][connection of the kernel's properties]: 1 where that source holds.
   std::vector<char> supplied;
-  CellMemory memory;        ///< once made; nothing for most kernels
+  CellMemory memory;  ///< once made; nothing for most kernels
   /// [cell]: 1 where the branch of the accepted state is held; empty when the law does not switch.
   std::vector<char> held;
 

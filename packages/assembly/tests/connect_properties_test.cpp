@@ -67,9 +67,10 @@ TEST(ConnectProperties, SuppliesAddToEachOtherAndToAConstant) {
 }
 
 TEST(ConnectProperties, WhatNobodyGivesIsTold) {
-  EXPECT_EQ(said(std::nullopt, {}),
-            "(default): module 'user' needs 'stiffness' (Pa) on all of 'water', and nobody gives it "
-            "there: neither an attribute of the module, nor <property>, nor another module");
+  EXPECT_EQ(
+      said(std::nullopt, {}),
+      "(default): module 'user' needs 'stiffness' (Pa) on all of 'water', and nobody gives it "
+      "there: neither an attribute of the module, nor <property>, nor another module");
 }
 
 TEST(ConnectProperties, WhatNobodyUsesIsToldWithTheNearestName) {
@@ -79,7 +80,8 @@ TEST(ConnectProperties, WhatNobodyUsesIsToldWithTheNearestName) {
 }
 
 TEST(ConnectProperties, OneThatDoesNotAddMustBeAlone) {
-  EXPECT_NE(said(one, {{"water", "2", "stiffness", false}}).find("gets 'stiffness' from its own attribute and from"),
+  EXPECT_NE(said(one, {{"water", "2", "stiffness", false}})
+                .find("gets 'stiffness' from its own attribute and from"),
             std::string::npos);
   EXPECT_NE(said(std::nullopt, {{"water", "2"}, {"water", "2", "stiffness", false}})
                 .find("on the same cells, and not both of them add"),
@@ -88,7 +90,8 @@ TEST(ConnectProperties, OneThatDoesNotAddMustBeAlone) {
 
 TEST(ConnectProperties, FormulasNameFieldsOfTheRun) {
   const std::string text = said(one, {{"water", "2*velocity_z"}});
-  EXPECT_EQ(text.rfind("deck.xml:7:3: '2*velocity_z' speaks of 'velocity_z', which is no field", 0), 0u)
+  EXPECT_EQ(text.rfind("deck.xml:7:3: '2*velocity_z' speaks of 'velocity_z', which is no field", 0),
+            0u)
       << text;
 }
 

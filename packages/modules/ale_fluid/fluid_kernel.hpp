@@ -11,8 +11,8 @@ namespace hawser {
 
 /// Linear velocity and pressure with residual-based SUPG, PSPG and LSIC stabilisation, time scales
 /// from the metric of the moved element (Bazilevs et al., Comput. Methods Appl. Mech. Engrg. 197
-/// (2007) 173-201). Density, viscosity and body force are properties: whatever supplies them is felt
-/// by the stress and by the stabilisation alike.
+/// (2007) 173-201). Density, viscosity and body force are properties: whatever supplies them is
+/// felt by the stress and by the stabilisation alike.
 template <int D>
 class FluidKernel : public MovingPointKernel<FluidKernel<D>> {
  public:
@@ -162,9 +162,9 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D>> {
   };
 
   /// tau_M = (c.G c + C nu^2 G:G)^-1/2,  tau_C = w (c.G c + C nu^2 G:G)^1/2 / tr G.
-  /// G is the metric of the moved cell, 4/h^2 for an equilateral one or a square of edge h. The step
-  /// stays out of both: the subscale has a rate of its own, and in tau_C short steps would lock the
-  /// volume of the cells at a sharp edge and raise the drag.
+  /// G is the metric of the moved cell, 4/h^2 for an equilateral one or a square of edge h. The
+  /// step stays out of both: the subscale has a rate of its own, and in tau_C short steps would
+  /// lock the volume of the cells at a sharp edge and raise the drag.
   template <class T, class Point>
   Scales<T> time_scales(const Point& at, const Vector<T, D>& convection) const {
     constexpr double inverse_estimate = 36.0;  // of linear shapes

@@ -22,8 +22,8 @@ class OutflowKernel : public ElementKernel<OutflowKernel> {
   static constexpr std::array<FieldUse, 2> uses = {
       StandardFields<2>::velocity.as(Role::adds, need::value),
       StandardFields<2>::displacement.as(Role::reads_if_solved, need::value)};
-  static constexpr std::array<PropertyUse, 3> properties = {
-      property::density, property::viscosity, property::eddy_viscosity};
+  static constexpr std::array<PropertyUse, 3> properties = {property::density, property::viscosity,
+                                                            property::eddy_viscosity};
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;
   static constexpr PropertySlot<0> density{};
@@ -55,9 +55,9 @@ class OutflowKernel : public ElementKernel<OutflowKernel> {
       const T flow = at.value(velocity, a, 0) * normal[0] + at.value(velocity, a, 1) * normal[1];
       const auto& rho = at.property(density, a);
       for (int i = 0; i < 2; ++i) {  // nodal quadrature
-        const T load = (at.property(viscosity, a) + rho * at.property(eddy_viscosity, a)) *
-                           transposed[i] -
-                       outside_.pressure * normal[i];
+        const T load =
+            (at.property(viscosity, a) + rho * at.property(eddy_viscosity, a)) * transposed[i] -
+            outside_.pressure * normal[i];
         out[at.index(velocity, a, i)] -= 0.5 * load;
         if (flow < 0.0)
           out[at.index(velocity, a, i)] -=

@@ -40,8 +40,7 @@ PhysicsModule make_mesh_motion(const MeshMotion& deck) {
   const GivenProperty load{mesh_load<2>, deck.body_force};
   PhysicsModule module{"mesh-motion", "mesh", {}, {}};
   module.kernels.push_back(std::make_unique<MeshMotionKernel<2>>(
-      deck.region, deck,
-      std::vector<PropertyConstant>{stiffness.constant(), load.constant()}));
+      deck.region, deck, std::vector<PropertyConstant>{stiffness.constant(), load.constant()}));
   for (const GivenProperty& given : {stiffness, load})
     given.supply(deck.region, 2, module.supplies);
   return module;

@@ -22,10 +22,9 @@ template <int D>
 class MeshMotionKernel : public MovingPointKernel<MeshMotionKernel<D>> {
  public:
   static constexpr int dimension = D;
-  static constexpr std::array<FieldUse, 1> uses = {StandardFields<D>::displacement.as(
-      Role::governs, need::gradient | need::accepted)};
-  static constexpr std::array<PropertyUse, 2> properties = {property::mesh_stiffness,
-                                                            mesh_load<D>};
+  static constexpr std::array<FieldUse, 1> uses = {
+      StandardFields<D>::displacement.as(Role::governs, need::gradient | need::accepted)};
+  static constexpr std::array<PropertyUse, 2> properties = {property::mesh_stiffness, mesh_load<D>};
   static constexpr Slot<0> displacement{};
   static constexpr PropertySlot<0> factor{};
   static constexpr PropertySlot<1> load{};

@@ -36,7 +36,8 @@ class PorousResistance : public PointProperty<PorousResistance<D>> {
       StandardFields<D>::velocity.as(Role::reads, need::value)};
   static constexpr Slot<0> velocity{};
 
-  explicit PorousResistance(const PorousZone& zone) : linear_(zone.linear), quadratic_(zone.quadratic) {}
+  explicit PorousResistance(const PorousZone& zone)
+      : linear_(zone.linear), quadratic_(zone.quadratic) {}
 
   template <class Point>
   auto law(const Point& at) const {

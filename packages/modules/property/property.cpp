@@ -32,9 +32,9 @@ struct Property {
 
 PhysicsModule make_property(const Property& deck, const ModuleContext& context) {
   PhysicsModule module{"property", "", {}, {}};
-  module.supplies.push_back({deck.region, deck.adds,
-                             std::make_unique<FormulaProperty>(deck.name, context.dimension,
-                                                               deck.value)});
+  module.supplies.push_back(
+      {deck.region, deck.adds,
+       std::make_unique<FormulaProperty>(deck.name, context.dimension, deck.value)});
   return module;
 }
 

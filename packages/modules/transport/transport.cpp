@@ -88,10 +88,11 @@ PhysicsModule make_heat(const HeatTransport& deck) {
 PhysicsModule make_scalar(const ScalarTransport& deck) {
   using Scalar = ScalarQuantity;
   PhysicsModule module{"scalar-transport", deck.field, {}, {}};
-  const std::pair<PropertyUse, FieldExpressions> in_deck[] = {{Scalar::capacity, {}},
-                                                              {Scalar::conductivity, deck.diffusivity},
-                                                              {Scalar::source, deck.source},
-                                                              {Scalar::decay, deck.decay}};
+  const std::pair<PropertyUse, FieldExpressions> in_deck[] = {
+      {Scalar::capacity, {}},
+      {Scalar::conductivity, deck.diffusivity},
+      {Scalar::source, deck.source},
+      {Scalar::decay, deck.decay}};
   std::vector<GivenProperty> given;
   std::list<std::string> names;
   for (const auto& [use, formulas] : in_deck) {

@@ -31,8 +31,8 @@ inline std::string scalar_property(const std::string& field, const PropertyUse& 
   return field + std::string(use.name).substr(std::string("scalar").size());
 }
 
-/// Linear shapes with residual-based streamline stabilisation, whose subscale has a rate of its own:
-/// a steady state knows no step.
+/// Linear shapes with residual-based streamline stabilisation, whose subscale has a rate of its
+/// own: a steady state knows no step.
 template <int D, class Quantity>
 class TransportKernel : public MovingPointKernel<TransportKernel<D, Quantity>> {
  public:
@@ -61,8 +61,8 @@ class TransportKernel : public MovingPointKernel<TransportKernel<D, Quantity>> {
         turbulent_number_(turbulent_number) {}
 
   void name_scalar(const std::string& name, const std::string& unit) {
-    this->name_field(0, name, unit, unit == "1" ? uses[0].residual_unit
-                                                : unit + " " + uses[0].residual_unit);
+    this->name_field(0, name, unit,
+                     unit == "1" ? uses[0].residual_unit : unit + " " + uses[0].residual_unit);
     for (std::size_t p = 0; p < 4; ++p)
       this->own_properties().rename(p, scalar_property(name, properties[p]));
   }
@@ -103,8 +103,7 @@ class TransportKernel : public MovingPointKernel<TransportKernel<D, Quantity>> {
     Balance<T> balance;
     for (int i = 0; i < D; ++i)
       balance.convection[i] = at[velocity].value[i] - at[displacement].rate[i];
-    balance.conductivity =
-        at[conductivity] + at[capacity] * at[eddy_viscosity] / turbulent_number_;
+    balance.conductivity = at[conductivity] + at[capacity] * at[eddy_viscosity] / turbulent_number_;
     balance.strong_residual =
         at[capacity] * (at[carried].rate + dot(balance.convection, at[carried].gradient) +
                         at[decay] * at[carried].value) -
@@ -115,8 +114,8 @@ class TransportKernel : public MovingPointKernel<TransportKernel<D, Quantity>> {
                         inverse_estimate * diffusivity * diffusivity * squared(metric)) +
                    at[decay];
     const double per_step = 1 / at.elapsed;  // 0 in a steady solve
-    balance.subscale = (per_step * at.memory[0] - balance.strong_residual / at[capacity]) /
-                       (per_step + rate);
+    balance.subscale =
+        (per_step * at.memory[0] - balance.strong_residual / at[capacity]) / (per_step + rate);
     balance.subscale_rate = per_step * (balance.subscale - at.memory[0]);
     return balance;
   }

@@ -19,7 +19,7 @@ constexpr FieldUse displacement(int dimension) {
 }
 
 std::string unknown_name(const FieldExpression& formula, const FieldReference& wanted,
-                    const std::vector<FieldUse>& run) {
+                         const std::vector<FieldUse>& run) {
   std::vector<std::string> names;
   for (const FieldUse& use : run)
     for (int c = 0; c < use.components; ++c)
@@ -69,7 +69,7 @@ void FormulaProperty::resolve(const std::vector<FieldUse>& run, Diagnostics& dia
         return reference.field == use.name && (use.components > 1) == reference.of_vector &&
                reference.component < use.components;
       });
-      if (found == run.end()) 
+      if (found == run.end())
         return diagnostics.error(formula.location(), unknown_name(formula, reference, run));
 
       const std::size_t field = index_of(*found);
@@ -107,7 +107,8 @@ struct MovedReader {
   /// d N_a / d X_k of a field's shape.
   double slope(std::size_t field, int a, int k) const {
     const Tabulation& shape = table.fields[field];
-    const double* const local = &shape.gradients[static_cast<std::size_t>((q * shape.nodes + a) * D)];
+    const double* const local =
+        &shape.gradients[static_cast<std::size_t>((q * shape.nodes + a) * D)];
     double sum = 0;
     for (int m = 0; m < D; ++m)
       sum += local[m] * geometry.inverse_jacobian(m, k);
@@ -127,8 +128,8 @@ struct MovedReader {
     double sum = 0;
     for (int a = 0; a < table.fields[field].nodes; ++a)
       for (int k = 0; k < D; ++k)
-        sum += cell.fields[field].value[a * components + c] * slope(field, a, k) *
-               frame.inverse(k, j);
+        sum +=
+            cell.fields[field].value[a * components + c] * slope(field, a, k) * frame.inverse(k, j);
     return sum;
   }
   void add_value_slope(double factor, std::size_t field, int components, int c,

@@ -17,8 +17,7 @@ KernelProperties::KernelProperties(std::vector<PropertyUse> uses,
     values_.resize(start_.size(), uses_[p].otherwise.value_or(0.0));
     if (!constants_[p]) continue;
     for (auto* values : {&start_, &values_})
-      std::copy_n(constants_[p]->begin(), uses_[p].components,
-                  values->end() - uses_[p].components);
+      std::copy_n(constants_[p]->begin(), uses_[p].components, values->end() - uses_[p].components);
   }
 }
 
@@ -80,7 +79,8 @@ bool KernelProperties::evaluate(const CellInput& cell, bool with_slopes) const {
       part_fields_[f] = cell.fields[connection.fields[f]];
     CellInput part = cell;
     part.fields = part_fields_.data();
-    if (!connection.source->evaluate(part, part_.data(), with_slopes ? part_slopes_.data() : nullptr))
+    if (!connection.source->evaluate(part, part_.data(),
+                                     with_slopes ? part_slopes_.data() : nullptr))
       return false;
     const int components = uses_[connection.property].components;
     const auto columns = static_cast<int>(connection.columns.size());

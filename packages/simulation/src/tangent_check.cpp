@@ -101,8 +101,9 @@ std::string line_of(const Kernel& kernel, const Worst& worst, int dimension) {
   std::string text = fmt::format("    {} by {}: {:.1e}", kernel.fields()[block.row].name,
                                  kernel.fields()[block.column].name, block.error);
   if (!(block.error <= tolerance))
-    text += fmt::format("  FAILS at the cell about ({}) m: the tangent has {:.6g}, differences {:.6g}",
-                        place, block.tangent, block.difference);
+    text +=
+        fmt::format("  FAILS at the cell about ({}) m: the tangent has {:.6g}, differences {:.6g}",
+                    place, block.tangent, block.difference);
   return text + "\n";
 }
 
@@ -125,14 +126,16 @@ TangentCheck check_tangents(const Case& run_case) {
         check.text += line_of(kernel, worst, system.mesh.dimension);
       }
       if (inadmissible > 0)
-        check.text += fmt::format("    {} of its cells were passed over: the residual is not a number in the "
-                                  "state that was tried\n",
-                                  inadmissible);
+        check.text += fmt::format(
+            "    {} of its cells were passed over: the residual is not a number in the "
+            "state that was tried\n",
+            inadmissible);
     }
   const Communicator& communicator = system.mesh.communicator;
   check.holds = !communicator.any(!check.holds);
-  check.text += check.holds ? fmt::format("every block within {:g} of central differences\n", tolerance)
-                            : "a tangent is not the derivative of its residual\n";
+  check.text += check.holds
+                    ? fmt::format("every block within {:g} of central differences\n", tolerance)
+                    : "a tangent is not the derivative of its residual\n";
   return check;
 }
 

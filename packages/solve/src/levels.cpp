@@ -60,10 +60,11 @@ Fit fit_level(const BlockSystem& system, const TpetraVector& f, const std::strin
   }
   MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPI_DOUBLE, MPI_SUM, system.communicator.mpi());
   if (sums[1] == 0 && sums[3] > 0)
-    throw SolveError("nothing holds the level of the field '" + field +
-                     "': a constant added to it everywhere changes no equation; prescribe it at one "
-                     "point, <prescribe field=\"" +
-                     field + "\" on=\"corner\" value=\"0\"/>, or open a boundary, <outflow>");
+    throw SolveError(
+        "nothing holds the level of the field '" + field +
+        "': a constant added to it everywhere changes no equation; prescribe it at one "
+        "point, <prescribe field=\"" +
+        field + "\" on=\"corner\" value=\"0\"/>, or open a boundary, <outflow>");
   if (!(sums[1] > 0) || !(sums[2] > 0)) return {};
   return {-sums[0] / sums[1], sums[0] * sums[0] / (sums[1] * sums[2])};
 }

@@ -61,8 +61,8 @@ struct LinearSolver::Implementation {
     return remainder.norm2() / b.norm2();
   }
 
-  /// Largest over the rows of |b - A x| / (|A| |x| + |b|): how far from A the matrix is that x solves
-  /// exactly (Oettli and Prager, Numer. Math. 6 (1964) 405-409). After relative_residual(x).
+  /// Largest over the rows of |b - A x| / (|A| |x| + |b|): how far from A the matrix is that x
+  /// solves exactly (Oettli and Prager, Numer. Math. 6 (1964) 405-409). After relative_residual(x).
   double backward_error(const TpetraVector& x) {
     const auto local = scaled->getLocalMatrixHost();
     TpetraVector columns(scaled->getColMap());
@@ -115,7 +115,7 @@ struct LinearSolver::Implementation {
 namespace {
 
 constexpr double has_digits = 1e-4;  // relative residual; that of a singular matrix has none
-constexpr double rounding = 1e-14;  // backward error of a solution as good as doubles allow
+constexpr double rounding = 1e-14;   // backward error of a solution as good as doubles allow
 
 SolveError failure(const GmresOutcome& outcome, double reached, double tolerance) {
   char text[160];

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "hawser/base/error.hpp"
-
 #include "hawser/solve/nonlinear_driver.hpp"
 #include "pointwise_problem.hpp"
 

@@ -49,7 +49,8 @@ TEST(FluidKernel, EnergyTermsAreThePowerOfTheResidual) {
 }
 
 TEST(OutflowKernel, CarriesOffThePowerOfItsResidual) {
-  OutflowKernel kernel(Domain::facets("outlet"), {std::vector<double>{1000}, std::vector<double>{300}, std::nullopt},
+  OutflowKernel kernel(Domain::facets("outlet"),
+                       {std::vector<double>{1000}, std::vector<double>{300}, std::nullopt},
                        {2e4, true, 0.5});
   for (unsigned seed = 1; seed < 6; ++seed)
     EXPECT_LE(worst_power_error(kernel, triangle, seed), 1e-12);

@@ -1,6 +1,6 @@
 #pragma once
-// The metric of a moved cell, from which the time scales of stabilised methods are made (Bazilevs et
-// al., Comput. Methods Appl. Mech. Engrg. 197 (2007) 173-201).
+// The metric of a moved cell, from which the time scales of stabilised methods are made (Bazilevs
+// et al., Comput. Methods Appl. Mech. Engrg. 197 (2007) 173-201).
 #include "hawser/base/tensor.hpp"
 
 namespace hawser {
@@ -37,8 +37,8 @@ void cube_metric(const Tensor<T, D>& to_cell, Tensor<T, D>& metric) {
 }
 }  // namespace detail
 
-/// G, 1/m^2: 4/h^2 for an equilateral cell or a square of edge h. It is taken from the regular cell,
-/// so that the numbering of vertices does not matter. `at` is a point of a MovingPointKernel.
+/// G, 1/m^2: 4/h^2 for an equilateral cell or a square of edge h. It is taken from the regular
+/// cell, so that the numbering of vertices does not matter. `at` is a point of a MovingPointKernel.
 template <class Point>
 auto cell_metric(const Point& at) {
   using T = typename Point::Number;

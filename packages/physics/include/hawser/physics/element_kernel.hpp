@@ -167,9 +167,7 @@ class ElementKernel : public Kernel {
 
  private:
   const KernelProperties& supplies() const { return Kernel::properties(); }
-  int all_unknowns() const {
-    return supplies().supplied() ? supplies().unknowns() : unknowns();
-  }
+  int all_unknowns() const { return supplies().supplied() ? supplies().unknowns() : unknowns(); }
 
   /// As evaluated on the cell; independent variables after those of the fields.
   template <class T, class P>
@@ -177,8 +175,8 @@ class ElementKernel : public Kernel {
     constexpr int count = detail::components(Derived::properties);
     for (int a = 0; count > 0 && a < Derived::node_count; ++a)
       for (int c = 0; c < count; ++c)
-        at.supplied[a * count + c] = detail::Number<P>::independent(unknowns() + a * count + c,
-                                                                    supplies().values(a)[c]);
+        at.supplied[a * count + c] =
+            detail::Number<P>::independent(unknowns() + a * count + c, supplies().values(a)[c]);
   }
 
   template <class T, class P>

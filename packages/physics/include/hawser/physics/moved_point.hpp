@@ -72,7 +72,7 @@ class MovedPoint<Point, Frame, Displacement, std::index_sequence<I...>> {
     } else {
       const auto& gradient = std::get<S>(gradients_);
       return MovedField<Value, Rate, std::decay_t<decltype(gradient)>>{field.value, field.rate,
-                                                                      gradient};
+                                                                       gradient};
     }
   }
   template <int S>

@@ -59,16 +59,16 @@ class MovingPointKernel : public PointKernel<Derived> {
     constexpr std::size_t d = decltype(Derived::displacement)::value;
     constexpr int D = Derived::dimension;
     const double* const rate = cell.fields[d].rate;
-    this->at_points(cell,
-                    [&](const auto& reference, double weight, int /*q*/, const auto& gradients) {
-                      const auto frame = static_cast<const Derived&>(*this).frame(reference);
-                      double expansion = 0;  // F^-1 : grad w
-                      for (int a = 0; a < this->nodes(d); ++a)
-                        for (int i = 0; i < D; ++i)
-                          for (int k = 0; k < D; ++k)
-                            expansion += frame.inverse(k, i) * gradients[d][a][k] * rate[a * D + i];
-                      visit(detail::moved<Derived>(reference, frame), weight * frame.volume, expansion);
-                    });
+    this->at_points(
+        cell, [&](const auto& reference, double weight, int /*q*/, const auto& gradients) {
+          const auto frame = static_cast<const Derived&>(*this).frame(reference);
+          double expansion = 0;  // F^-1 : grad w
+          for (int a = 0; a < this->nodes(d); ++a)
+            for (int i = 0; i < D; ++i)
+              for (int k = 0; k < D; ++k)
+                expansion += frame.inverse(k, i) * gradients[d][a][k] * rate[a * D + i];
+          visit(detail::moved<Derived>(reference, frame), weight * frame.volume, expansion);
+        });
   }
 };
 

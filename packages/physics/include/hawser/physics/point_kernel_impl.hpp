@@ -9,12 +9,11 @@ void PointKernel<Derived>::load_properties(int q, At& at) const {
   if constexpr (!Derived::properties.empty()) {
     const double* values = supplies().values(q);
     int direction = directions();
-    detail::for_each_index(
-        std::make_index_sequence<Derived::properties.size()>{}, [&](auto index) {
-          for (int c = 0; c < Derived::properties[index].components; ++c)
-            detail::entry(std::get<index>(at.properties.all), c) =
-                detail::Number<P>::independent(direction++, *values++);
-        });
+    detail::for_each_index(std::make_index_sequence<Derived::properties.size()>{}, [&](auto index) {
+      for (int c = 0; c < Derived::properties[index].components; ++c)
+        detail::entry(std::get<index>(at.properties.all), c) =
+            detail::Number<P>::independent(direction++, *values++);
+    });
   }
 }
 

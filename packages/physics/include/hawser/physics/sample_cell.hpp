@@ -19,8 +19,8 @@ namespace hawser {
 /// + rest.
 class SampleCell {
  public:
-  /// Of a kernel that is bound; `coordinates` are [vertex][dimension], m. `amplitudes`: of each field;
-  /// of those that only the sources of properties read it is 10, of places 0.05 m.
+  /// Of a kernel that is bound; `coordinates` are [vertex][dimension], m. `amplitudes`: of each
+  /// field; of those that only the sources of properties read it is 10, of places 0.05 m.
   SampleCell(const Kernel& kernel, std::vector<double> coordinates, unsigned seed,
              std::vector<double> amplitudes)
       : kernel_(kernel),
@@ -144,8 +144,8 @@ class SampleCell {
 /// The rows of one field by the unknowns of another: what the tangent has and what central
 /// differences have.
 struct TangentBlock {
-  std::size_t row = 0, column = 0;  ///< fields of the kernel
-  double error = 0;                 ///< largest difference over the block's largest entry
+  std::size_t row = 0, column = 0;     ///< fields of the kernel
+  double error = 0;                    ///< largest difference over the block's largest entry
   double tangent = 0, difference = 0;  ///< the entries that differ most
 };
 
