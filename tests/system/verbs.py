@@ -7,7 +7,7 @@ import subprocess
 
 from harness import BUILD, DECKS, ENVIRONMENT, SCRATCH, Results, SystemTest, completed, edited, fresh, hawser, main
 
-CUT = dict(newton_max_iterations="2", time_end="60", output_checkpoint_every="2")  # some steps are rejected
+CUT = dict(newton_lagged="false", newton_max_iterations="2", time_end="60", output_checkpoint_every="2")  # some steps are rejected
 
 
 def on_a_terminal(*arguments, **environment):
