@@ -7,7 +7,7 @@
 namespace hawser {
 
 FieldSampler::FieldSampler(const DofMap& dofs, const Region& region, Quadrature points,
-                           std::vector<int> fields, int moving)
+                           const std::vector<int>& fields, int moving)
     : dofs_(dofs),
       region_(region),
       points_(std::move(points)),

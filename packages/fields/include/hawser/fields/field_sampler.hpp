@@ -14,8 +14,8 @@ class FieldSampler {
  public:
   /// Points in the reference cell, of a region's shape, with weights where something is integrated.
   /// `moving`: the field that moves the mesh, or -1. Map and region must outlive this.
-  FieldSampler(const DofMap& dofs, const Region& region, Quadrature points, std::vector<int> fields,
-               int moving);
+  FieldSampler(const DofMap& dofs, const Region& region, Quadrature points,
+               const std::vector<int>& fields, int moving);
 
   const Region& region() const { return region_; }
   const Quadrature& points() const { return points_; }
