@@ -48,7 +48,7 @@ Verb modules_verb(CLI::App& app) {
   return {verb, Alone([arguments](Environment& environment) {
             const ModuleRegistry& registry = known_to(*arguments, environment).modules;
             for (const std::string& tag : registry.tags())
-              std::printf("%-14s %s\n", tag.c_str(), registry.find(tag)->spec.meaning.c_str());
+              std::printf("%-17s %s\n", tag.c_str(), registry.find(tag)->spec.meaning.c_str());
             return 0;
           })};
 }

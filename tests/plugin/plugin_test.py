@@ -228,7 +228,7 @@ class Harmful(unittest.TestCase):
 
 class Verbs(unittest.TestCase):
     def test_know_plugins(self):
-        self.assertNotIn("heat", hawser(1, "modules").stdout)
+        self.assertNotRegex(hawser(1, "modules").stdout, r"(?m)^heat ")
         self.assertRegex(hawser(2, "modules", "--plugin", "heat").stdout, "heat +Heat carried by the flow and conducted")
         self.assertIn("conductivity", hawser(1, "describe", "heat", "--plugin", "heat").stdout)
         self.assertEqual(hawser(1, "modules", "--plugin", "heet").returncode, 5)

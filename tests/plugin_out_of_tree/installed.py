@@ -150,7 +150,7 @@ class Tutorial(SystemTest):
         nodes = dict(re.findall(r"^node \d+: X = (\S+) m, x = (\S+) m$", done.stdout, re.M))
         self.assertEqual(len(nodes), 11)
         self.assertEqual(nodes["10"], "15.0000")
-        self.assertEqual({path.name for path in place.iterdir()}, {"build", "main.cpp", "CMakeLists.txt", "bar.h5", "bar.msh"})
+        self.assertEqual({path.name for path in place.iterdir()}, {"build", "main.cpp", "CMakeLists.txt", "bar.h5"})
         self.assertNotIn(str(BUILD / "lib"), shell(f"ldd {place}/build/embed").stdout)
 
     def completed_words(self, *words):

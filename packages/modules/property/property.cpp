@@ -21,7 +21,7 @@ struct Property {
                    "What is supplied, as the modules that use it call it: density, viscosity, eddy "
                    "viscosity, body force, mesh stiffness, or a name of a plug-in's.")
         .attribute("region", &P::region, required(), "Regions of the body where it holds.")
-        .attribute("value", &P::value, "", required(),
+        .attribute("value", &P::value, "as the property", required() && any(),
                    "In SI units, one expression per component: of place (x y z moved, X Y Z "
                    "reference), t, fields (temperature, velocity_x) and their derivatives "
                    "(dx(velocity_y)).")

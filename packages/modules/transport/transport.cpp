@@ -53,7 +53,8 @@ struct ScalarTransport {
         .attribute("diffusivity", &P::diffusivity, "m^2/s",
                    non_negative() && length(1) && absent("what other modules supply"),
                    std::string("Of Fick's law.") + formulas_too)
-        .attribute("source", &P::source, "", any() && length(1) && absent("none"),
+        .attribute("source", &P::source, "as the field, per s",
+                   any() && length(1) && absent("none"),
                    std::string("What is set free, in the field's unit per second.") + formulas_too)
         .attribute("decay", &P::decay, "1/s", non_negative() && length(1) && absent("none"),
                    std::string("Rate at which it decays.") + formulas_too)

@@ -18,8 +18,8 @@ Spec<LineDeck> LineDeck::spec() {
              "greatest "
              "value among the points and how far along the line they are.")
       .attribute("name", &P::name, required(), "Of the file, and start of the quantities' names.")
-      .attribute("from", &P::from, "m", required() && length(2, 3), "Its beginning.")
-      .attribute("to", &P::to, "m", required() && length(2, 3), "Its end.")
+      .attribute("from", &P::from, "m", required() && any() && length(2, 3), "Its beginning.")
+      .attribute("to", &P::to, "m", required() && any() && length(2, 3), "Its end.")
       .attribute("points", &P::points, at_least(2), "How many, with both ends, evenly apart.")
       .attribute("of", &P::of, "SI", required() && any(),
                  "Formulas of place, time, fields and their derivatives, set apart by ';'.")

@@ -8,7 +8,8 @@ Spec<PointDeck> PointDeck::spec() {
                  "Writes formulas of fields at a place over time, interpolated in the cell of the "
                  "moved body that is there. A <probe> follows a node instead.")
       .attribute("name", &P::name, required(), "Start of the quantities' names.")
-      .attribute("at", &P::at, "m", required() && length(2, 3), "The place, fixed in space.")
+      .attribute("at", &P::at, "m", required() && any() && length(2, 3),
+                 "The place, fixed in space.")
       .attribute("of", &P::of, "SI", required() && any(),
                  "Formulas of place, time, fields and their derivatives, set apart by ';': each is "
                  "a quantity NAME_velocity_x, NAME_dx_temperature, else NAME or NAME_2.")

@@ -61,9 +61,11 @@ TEST_F(RegionReports, AnIntegralIsThatOfTheMovedRegion) {
 
 TEST_F(RegionReports, IntegralsAreTheSameToTheLastBitOnAnyNumberOfRanks) {
   const std::string text = "<integral name='a' of='sin(velocity_x) + exp(x*y)' on='water'/>";
+  const std::vector<double> together = values(text);
+  if (!Communicator().is_root()) return;  // the mesh of the test is one file
   ReportSample alone(Communicator(MPI_COMM_SELF));
   move(alone);
-  EXPECT_EQ(values(text), measured(alone, registry_, text));
+  EXPECT_EQ(together, measured(alone, registry_, text));
 }
 
 TEST_F(RegionReports, AnExtremeHasItsPlace) {
