@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "system"))
 import harness
 
 PLUGINS = ["--plugin-dir", harness.BUILD / "tests/plugins"]
-WITH_PLUGINS = ["--plugin", "heat", "--plugin", "energy", *PLUGINS]
+WITH_PLUGINS = ["--plugin", "heat", "--plugin", "energy", "--plugin", "decay", *PLUGINS]
 
 
 def printed(*arguments):
