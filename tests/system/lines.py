@@ -105,7 +105,7 @@ class Lines(unittest.TestCase):
         deck, options = SCRATCH / "three.xml", ["-q", "--set", "output/checkpoint-every=75", *EXACTLY]
         completed(1, "run", deck, "-o", whole, *options)
         completed(1, "run", deck, "-o", parts, *options, "--end", "750")
-        completed(1, "restart", parts / "checkpoint.h5", "-q")
+        completed(1, "restart", parts / "checkpoint.h5", "-q", "--end", "1500")  # the first part's --end is kept
         for table in "history.csv", "cable.csv", "second_cable.csv":
             self.assertEqual((parts / table).read_text(), (whole / table).read_text(), table)
         one, two = (Results(folder).summary() for folder in (whole, parts))
