@@ -28,10 +28,12 @@ struct PropertySlot {
 
 // These stand where `uses` does not say that the law looks: a law that does look does not compile,
 // and the compiler's message names them.
+// NOLINTBEGIN(readability-identifier-naming): sentences of the compiler's message
 struct add_need_value_to_the_uses_of_this_field {};
 struct add_need_rate_to_the_uses_of_this_field {};
 struct add_need_gradient_to_the_uses_of_this_field {};
 struct add_need_accepted_to_the_uses_of_this_field {};
+// NOLINTEND(readability-identifier-naming)
 
 template <std::size_t N>
 constexpr bool all_described(const std::array<FieldUse, N>& uses) {

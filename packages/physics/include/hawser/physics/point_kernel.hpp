@@ -20,6 +20,7 @@ namespace detail {
 void check_size(const Kernel& kernel, const CellTabulation& table);
 }  // namespace detail
 
+// NOLINTNEXTLINE(readability-identifier-naming): a sentence of the compiler's message
 struct this_field_is_only_read_and_takes_no_source_and_no_flux {};
 
 template <class T, int C, int D, bool Writes>
