@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <random>
 #include <sstream>
 
 #include "hawser/base/error.hpp"
 #include "hawser/deck/read_deck.hpp"
 #include "language.hpp"
+#include "mutator.hpp"
 
 namespace {
 
@@ -34,110 +34,68 @@ Files read_decks(const std::string& folder) {
   return files;
 }
 
-class Mutator {
- public:
-  explicit Mutator(unsigned seed) : random_(seed) {}
-
-  std::size_t below(std::size_t bound) { return bound == 0 ? 0 : random_() % bound; }
-
-  std::string mutated(std::string text) {
-    for (std::size_t i = 0, count = 1 + below(3); i < count; ++i)
-      mutate(text);
-    return text;
-  }
-
- private:
-  void mutate(std::string& text) {
-    static const std::vector<std::string> odd = {"nan",
-                                                 "1e400",
-                                                 "-1e-400",
-                                                 "99999999999999",
-                                                 "0x10",
-                                                 "\"",
-                                                 "<",
-                                                 ">",
-                                                 "/>",
-                                                 "&",
-                                                 "&#0;",
-                                                 "&lt;",
-                                                 "<!--",
-                                                 "-->",
-                                                 "<![CDATA[",
-                                                 "<?x",
-                                                 "<!DOCTYPE a>",
-                                                 "((((",
-                                                 "))))",
-                                                 ";",
-                                                 ",",
-                                                 "{1,2}",
-                                                 "^",
-                                                 "^^",
-                                                 "1 kn",
-                                                 " m/s",
-                                                 "1/0",
-                                                 "sqrt(-1)",
-                                                 "t",
-                                                 "x",
-                                                 "current",
-                                                 "pi",
-                                                 "\xff\xfe",
-                                                 "\xc3",
-                                                 "\0x",
-                                                 "\n\n",
-                                                 "extends=\"base.xml\"",
-                                                 "remove=\"true\"",
-                                                 "name=\"a\"",
-                                                 " ",
-                                                 "e",
-                                                 "--",
-                                                 "'",
-                                                 "=",
-                                                 "[",
-                                                 "]",
-                                                 "<parameter name=\"p\" value=\"p\"/>",
-                                                 "<hawser>",
-                                                 "</hawser>",
-                                                 "<cable/>",
-                                                 "%",
-                                                 "2 (m",
-                                                 "m^99"};
-    const std::size_t at = below(text.size() + 1);
-    const std::size_t length = below(8);
-    switch (below(9)) {
-      case 0: text.erase(at, length); break;
-      case 1: text.insert(at, odd[below(odd.size())]); break;
-      case 2:
-        if (at < text.size()) text[at] = static_cast<char>(random_() & 0xFF);
-        break;
-      case 3: text.insert(at, text.substr(below(text.size() + 1), below(200))); break;
-      case 4: text.erase(at, below(300)); break;
-      case 5: replace_value(text, odd[below(odd.size())]); break;
-      case 6: replace_value(text, other_value(text)); break;
-      case 7:
-        if (at + 1 < text.size()) std::swap(text[at], text[at + 1]);
-        break;
-      default: text.insert(at, std::string(below(5000), odd[below(odd.size())][0])); break;
-    }
-  }
-
-  /// Begin and length of an attribute's value somewhere.
-  std::pair<std::size_t, std::size_t> value(const std::string& text) {
-    const std::size_t begin = text.find("=\"", below(text.size() + 1));
-    if (begin == std::string::npos) return {0, 0};
-    const std::size_t end = text.find('"', begin + 2);
-    return {begin + 2, end == std::string::npos ? 0 : end - begin - 2};
-  }
-  std::string other_value(const std::string& text) {
-    const auto [begin, length] = value(text);
-    return text.substr(begin, length);
-  }
-  void replace_value(std::string& text, const std::string& by) {
-    const auto [begin, length] = value(text);
-    text.replace(begin, length, by);
-  }
-
-  std::mt19937 random_;
-};
+/// A part is an attribute's value.
+const MutantParts parts = {{"nan",
+                            "1e400",
+                            "-1e-400",
+                            "99999999999999",
+                            "0x10",
+                            "\"",
+                            "<",
+                            ">",
+                            "/>",
+                            "&",
+                            "&#0;",
+                            "&lt;",
+                            "<!--",
+                            "-->",
+                            "<![CDATA[",
+                            "<?x",
+                            "<!DOCTYPE a>",
+                            "((((",
+                            "))))",
+                            ";",
+                            ",",
+                            "{1,2}",
+                            "^",
+                            "^^",
+                            "1 kn",
+                            " m/s",
+                            "1/0",
+                            "sqrt(-1)",
+                            "t",
+                            "x",
+                            "current",
+                            "pi",
+                            "\xff\xfe",
+                            "\xc3",
+                            "\0x",
+                            "\n\n",
+                            "extends=\"base.xml\"",
+                            "remove=\"true\"",
+                            "name=\"a\"",
+                            " ",
+                            "e",
+                            "--",
+                            "'",
+                            "=",
+                            "[",
+                            "]",
+                            "<parameter name=\"p\" value=\"p\"/>",
+                            "<hawser>",
+                            "</hawser>",
+                            "<cable/>",
+                            "%",
+                            "2 (m",
+                            "m^99"},
+                           [](const std::string& text, std::size_t from) {
+                             const std::size_t begin = text.find("=\"", from);
+                             if (begin == std::string::npos)
+                               return std::pair(std::size_t{0}, std::size_t{0});
+                             const std::size_t end = text.find('"', begin + 2);
+                             return std::pair(begin + 2,
+                                              end == std::string::npos ? 0 : end - begin - 2);
+                           }};
 
 /// Everything that `hawser check` does; the complaint, or "".
 std::string fault_of(const Files& files, const std::string& file,
@@ -200,7 +158,7 @@ int main(int argc, char** argv) {
   unsigned refused = 0;
   double slowest = 0;
   for (unsigned seed = first; seed < first + count; ++seed) {
-    Mutator mutator(seed);
+    Mutator mutator(seed, parts);
     Files mutants = files;
     const auto at = [&](std::size_t n) { return std::next(mutants.begin(), static_cast<long>(n)); };
     const std::string file = at(mutator.below(mutants.size()))->first;
