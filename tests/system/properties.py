@@ -57,8 +57,9 @@ class Properties(SystemTest):
             '<property name="viscosty" region="water" value="1"/>': "did you mean 'viscosity'",
             '<property name="viscosity" region="water" value="1"/>': "gets 'viscosity' from its own attribute and from",
             '<property name="body force" region="water" adds="true" value="1"/>': "has 2 components, and here are 1",
-            '<property name="eddy viscosity" region="water" value="temperatur"/>': "which is no field of this run",
+            '<property name="eddy viscosity" region="water" value="temperatur"/>': "is no field of this run",
             '<property name="eddy viscosity" region="left" value="1"/>': "needs a region of triangles",
+            '<property name="eddy viscosity" region="water" value="2 kg"/>': "'2 kg' is in kg, and 'eddy viscosity' in m^2/s",
         }
         for supply, sentence in sentences.items():
             with self.subTest(supply):

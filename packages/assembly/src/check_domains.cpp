@@ -1,9 +1,9 @@
 #include "hawser/assembly/check_domains.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "hawser/fields/look_up.hpp"
+#include "src/cell_vertices.hpp"
 
 namespace hawser {
 namespace {
@@ -32,23 +32,13 @@ void check_domain(const Mesh& mesh, const PhysicsModule& module, const Kernel& k
   }
 }
 
-std::vector<CellShape> shapes_of_body(int dimension) {
-  if (dimension == 2) return {CellShape::triangle, CellShape::quadrilateral};
-  return {CellShape::tetrahedron, CellShape::hexahedron};
-}
-
 /// Cells on which a module works, by their sorted vertices; of this rank.
-std::set<std::vector<LocalIndex>> cells_of(const Mesh& mesh, const PhysicsModule& module) {
-  std::set<std::vector<LocalIndex>> cells;
+std::set<Vertices> cells_of(const Mesh& mesh, const PhysicsModule& module) {
+  std::set<Vertices> cells;
   for (const auto& kernel : module.kernels) {
     const Region* const region = mesh.find(kernel->domain());
-    if (region == nullptr || kernel->domain().kind != Domain::Kind::cells) continue;
-    const auto n = static_cast<std::ptrdiff_t>(region->vertices_per_cell);
-    for (auto cell = region->vertices.begin(); cell != region->vertices.end(); cell += n) {
-      std::vector<LocalIndex> vertices(cell, cell + n);
-      std::sort(vertices.begin(), vertices.end());
-      cells.insert(std::move(vertices));
-    }
+    if (region != nullptr && kernel->domain().kind == Domain::Kind::cells)
+      insert_cells(*region, cells);
   }
   return cells;
 }
@@ -109,7 +99,7 @@ void check_domains(const Mesh& mesh, const std::vector<PhysicsModule>& modules,
   for (const PhysicsModule& module : modules)
     for (const Supply& supply : module.supplies)
       for (const std::string& name : supply.on.regions)
-        find_region_of(shapes_of_body(mesh.dimension), mesh, {name, module.location},
+        find_region_of(body_shapes(mesh.dimension), mesh, {name, module.location},
                        "module '" + module.name + "'", diagnostics);
   if (diagnostics.ok()) refuse_twice(mesh, modules, diagnostics);
 }

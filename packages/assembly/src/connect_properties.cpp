@@ -5,19 +5,10 @@
 #include <string_view>
 
 #include "hawser/base/error.hpp"
+#include "src/cell_vertices.hpp"
 
 namespace hawser {
 namespace {
-
-using Vertices = std::vector<LocalIndex>;
-
-Vertices sorted_vertices(const Region& region, LocalIndex cell) {
-  const auto n = static_cast<std::ptrdiff_t>(region.vertices_per_cell);
-  const auto first = region.vertices.begin() + static_cast<std::ptrdiff_t>(cell) * n;
-  Vertices vertices(first, first + n);
-  std::sort(vertices.begin(), vertices.end());
-  return vertices;
-}
 
 struct Supplier {
   const PhysicsModule* module;
@@ -65,8 +56,9 @@ class Connecting {
     for (const PhysicsModule& module : modules_)
       for (const auto& kernel : module.kernels)
         for (const PropertyUse& use : kernel->properties().uses()) {
-          names.insert(use.name);
+          const bool is_new = names.insert(use.name).second;
           if (std::string_view(use.name) != wanted.name) continue;
+          if (is_new) supplier.supply->source->check_unit(use.unit, diagnostics_);
           const bool same_unit = *wanted.unit == '\0' || std::string_view(use.unit) == wanted.unit;
           if (same_unit && use.components == wanted.components) continue;
           if (*wanted.unit == '\0') {
@@ -164,8 +156,7 @@ std::vector<char> cells_within(const Mesh& mesh, const Region& region, const Dom
   std::vector<char> within(static_cast<std::size_t>(region.size()), 0);
   if (body.vertices_per_cell != region.vertices_per_cell) return within;
   std::set<Vertices> cells;
-  for (LocalIndex cell = 0; cell < body.size(); ++cell)
-    cells.insert(sorted_vertices(body, cell));
+  insert_cells(body, cells);
   for (LocalIndex cell = 0; cell < region.size(); ++cell)
     within[static_cast<std::size_t>(cell)] = cells.count(sorted_vertices(region, cell)) > 0 ? 1 : 0;
   return within;

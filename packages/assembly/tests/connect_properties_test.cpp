@@ -89,10 +89,15 @@ TEST(ConnectProperties, OneThatDoesNotAddMustBeAlone) {
 }
 
 TEST(ConnectProperties, FormulasNameFieldsOfTheRun) {
-  const std::string text = said(one, {{"water", "2*velocity_z"}});
-  EXPECT_EQ(text.rfind("deck.xml:7:3: '2*velocity_z' speaks of 'velocity_z', which is no field", 0),
-            0u)
-      << text;
+  EXPECT_EQ(said(one, {{"water", "2*velocity_z"}}),
+            "deck.xml:7:3: 'velocity_z' in the formula '2*velocity_z' is the third component of a "
+            "field of two");
+  EXPECT_EQ(said(one, {{"water", "dz(velocity_x)"}}),
+            "deck.xml:7:3: 'dz(velocity_x)' in the formula 'dz(velocity_x)' is a derivative along "
+            "z, and the mesh is one in the plane");
+  EXPECT_EQ(said(one, {{"water", "velocty_x"}}),
+            "deck.xml:7:3: 'velocty_x' in the formula 'velocty_x' is no field of this run; there "
+            "are velocity_x and velocity_y; did you mean 'velocity_x'?");
 }
 
 TEST(ConnectProperties, UnitsAgree) {

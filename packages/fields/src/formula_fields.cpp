@@ -7,16 +7,13 @@ namespace {
 
 constexpr const char* axes[] = {"x", "y", "z"};
 
-/// What a formula may call the fields.
-std::vector<std::string> names_of(const DofMap& dofs, bool on_boundary) {
-  std::vector<std::string> names;
-  for (const FieldDescription& field : dofs.fields()) {
-    if (field.components == 1) names.push_back(field.name);
-    for (int c = 0; field.components > 1 && c < field.components; ++c)
-      names.push_back(field.name + "_" + axes[c]);
-  }
-  for (int j = 0; on_boundary && j < dofs.mesh().dimension; ++j)
-    names.push_back(std::string("normal_") + axes[j]);
+FormulaNames names_of(const DofMap& dofs, bool on_boundary) {
+  FormulaNames names;
+  names.dimension = dofs.mesh().dimension;
+  for (const FieldDescription& field : dofs.fields())
+    names.fields.push_back({field.name, field.components});
+  for (int j = 0; on_boundary && j < names.dimension; ++j)
+    names.others.push_back(std::string("normal_") + axes[j]);
   return names;
 }
 
@@ -25,59 +22,39 @@ std::vector<std::string> names_of(const DofMap& dofs, bool on_boundary) {
 FormulaFields::FormulaFields(const DofMap& dofs, FieldExpression formula, bool on_boundary,
                              Diagnostics& diagnostics)
     : formula_(std::move(formula)) {
-  for (const std::string& parameter : formula_.parameters())
-    if (dofs.find(parameter) >= 0)
-      diagnostics.error(formula_.location(),
-                        "'" + parameter + "' in the formula '" + formula_.text() +
-                            "' is a field and a parameter of the deck; call the parameter "
-                            "otherwise");
+  const FormulaNames names = names_of(dofs, on_boundary);
+  refuse_hidden_fields(formula_, names.fields, diagnostics);
   for (const FieldReference& reference : formula_.references())
-    items_.push_back(look_up(dofs, reference, on_boundary, diagnostics));
+    items_.push_back(look_up(names, reference, on_boundary, diagnostics));
 }
 
-FormulaFields::Item FormulaFields::look_up(const DofMap& dofs, const FieldReference& reference,
-                                           bool on_boundary, Diagnostics& diagnostics) {
+FormulaFields::Item FormulaFields::look_up(const FormulaNames& names,
+                                           const FieldReference& reference, bool on_boundary,
+                                           Diagnostics& diagnostics) {
   Item item{0, reference.component, reference.along, false};
-  const int dimension = dofs.mesh().dimension;
-  const std::string begin =
-      "'" + reference.text() + "' in the formula '" + formula_.text() + "' is ";
   const auto refuse = [&](const std::string& why) {
-    diagnostics.error(formula_.location(), begin + why);
+    diagnostics.error(formula_.location(), begin_of_fault(formula_, reference) + why);
     complete_ = false;
     return item;
   };
-  if (reference.along >= dimension)
-    return refuse("a derivative along z, and the mesh is one in the plane");
-  if (on_boundary && reference.of_vector && reference.field == "normal" &&
-      reference.component < dimension) {
+  const auto is_normal = [](const NamedField& field) { return field.name == "normal"; };
+  const bool of_normal =
+      reference.of_vector && reference.field == "normal" && reference.component < names.dimension;
+  if (on_boundary && of_normal) {
     if (reference.along >= 0) return refuse("no derivative of a field");
     item.is_normal = true;
     return item;
   }
-  if (reference.of_vector && reference.field == "normal" && dofs.find("normal") < 0)
+  if (of_normal && std::none_of(names.fields.begin(), names.fields.end(), is_normal))
     return refuse("known on the boundary of a body only");
-  // A scalar field may be called "dye_x".
-  int field = reference.of_vector ? dofs.find(reference.name()) : -1;
-  const bool whole = field >= 0 || !reference.of_vector;
-  if (field < 0) field = dofs.find(reference.field);
-  const std::vector<std::string> fields = names_of(dofs, on_boundary);
-  if (field < 0) {
-    const std::vector<std::string> all = formula_.names_beside(fields);
-    return refuse("no field of this run; there are " + listed(fields) +
-                  did_you_mean(reference.name(), all));
+  const auto found = look_up_field(formula_, reference, names, diagnostics);
+  if (!found) {
+    complete_ = false;
+    return item;
   }
-  const FieldDescription& found = dofs.fields()[static_cast<std::size_t>(field)];
-  if (whole && found.components > 1)
-    return refuse("a field of " + std::to_string(found.components) + " components; write " +
-                  found.name + "_x or " + found.name + "_y" +
-                  (found.components > 2 ? " or " + found.name + "_z" : ""));
-  if (!whole && found.components == 1)
-    return refuse("a component, and '" + found.name + "' has only one; write " + found.name);
-  if (!whole && reference.component >= found.components)
-    return refuse("the third component of a field of two");
-  if (whole) item.component = 0;
+  const auto field = static_cast<int>(found->field);
   const auto known = std::find(fields_.begin(), fields_.end(), field);
-  item.field = static_cast<std::size_t>(known - fields_.begin());
+  item = {static_cast<std::size_t>(known - fields_.begin()), found->component, found->along, false};
   if (known == fields_.end()) fields_.push_back(field);
   return item;
 }

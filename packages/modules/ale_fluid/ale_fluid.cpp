@@ -58,20 +58,18 @@ struct AleFluid {
 };
 
 PhysicsModule make_ale_fluid(const AleFluid& deck) {
-  const GivenProperty density{property::density, deck.density};
-  const GivenProperty viscosity{property::viscosity, deck.viscosity};
-  const GivenProperty force{property::body_force<2>, deck.body_force};
   PhysicsModule module{"ale-fluid", "fluid", {}, {}};
-  module.kernels.push_back(std::make_unique<FluidKernel<2>>(
-      deck.region, std::vector<PropertyConstant>{density.constant(), viscosity.constant(),
-                                                 std::nullopt, force.constant()}));
+  std::vector<PropertyConstant> constants = give({{property::density, deck.density},
+                                                  {property::viscosity, deck.viscosity},
+                                                  {property::eddy_viscosity, {}},
+                                                  {property::body_force<2>, deck.body_force}},
+                                                 deck.region, 2, module.supplies);
+  module.kernels.push_back(std::make_unique<FluidKernel<2>>(deck.region, constants));
+  constants.resize(OutflowKernel::properties.size());  // the first ones
   for (const Outflow& outflow : deck.outflows)
     module.kernels.push_back(std::make_unique<OutflowKernel>(
-        Domain::facets(outflow.on),
-        std::vector<PropertyConstant>{density.constant(), viscosity.constant(), std::nullopt},
+        Domain::facets(outflow.on), constants,
         OutflowTraction{outflow.pressure, outflow.keeps_poiseuille, outflow.backflow}));
-  for (const GivenProperty& given : {density, viscosity, force})
-    given.supply(deck.region, 2, module.supplies);
   return module;
 }
 

@@ -36,13 +36,12 @@ struct MeshMotion : MeshStiffness {
 };
 
 PhysicsModule make_mesh_motion(const MeshMotion& deck) {
-  const GivenProperty stiffness{property::mesh_stiffness, deck.stiffness};
-  const GivenProperty load{mesh_load<2>, deck.body_force};
   PhysicsModule module{"mesh-motion", "mesh", {}, {}};
-  module.kernels.push_back(std::make_unique<MeshMotionKernel<2>>(
-      deck.region, deck, std::vector<PropertyConstant>{stiffness.constant(), load.constant()}));
-  for (const GivenProperty& given : {stiffness, load})
-    given.supply(deck.region, 2, module.supplies);
+  auto constants =
+      give({{property::mesh_stiffness, deck.stiffness}, {mesh_load<2>, deck.body_force}},
+           deck.region, 2, module.supplies);
+  module.kernels.push_back(
+      std::make_unique<MeshMotionKernel<2>>(deck.region, deck, std::move(constants)));
   return module;
 }
 

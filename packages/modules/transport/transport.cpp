@@ -63,24 +63,13 @@ struct ScalarTransport {
   }
 };
 
-/// Constants for the kernel, formulas as supplies.
-std::vector<PropertyConstant> give(const std::vector<GivenProperty>& given, const Domain& region,
-                                   PhysicsModule& module) {
-  std::vector<PropertyConstant> constants;
-  for (const GivenProperty& property : given) {
-    constants.push_back(property.constant());
-    property.supply(region, 2, module.supplies);
-  }
-  return constants;
-}
-
 PhysicsModule make_heat(const HeatTransport& deck) {
   using Heat = HeatQuantity;
   PhysicsModule module{"heat-transport", "heat", {}, {}};
   auto constants = give({{Heat::capacity, deck.capacity},
                          {Heat::conductivity, deck.conductivity},
                          {Heat::source, deck.source}},
-                        deck.region, module);
+                        deck.region, 2, module.supplies);
   module.kernels.push_back(std::make_unique<TransportKernel<2, Heat>>(
       deck.region, std::move(constants), deck.turbulent_number));
   return module;
@@ -102,7 +91,7 @@ PhysicsModule make_scalar(const ScalarTransport& deck) {
     given.back().property.name = names.back().c_str();
   }
   auto kernel = std::make_unique<TransportKernel<2, Scalar>>(
-      deck.region, give(given, deck.region, module), deck.turbulent_number);
+      deck.region, give(given, deck.region, 2, module.supplies), deck.turbulent_number);
   kernel->name_scalar(deck.field, deck.unit);
   module.kernels.push_back(std::move(kernel));
   return module;

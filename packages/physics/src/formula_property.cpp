@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "hawser/deck/diagnostics.hpp"
+#include "hawser/deck/look_up_field.hpp"
 #include "hawser/element/cell_geometry.hpp"
 #include "hawser/physics/moving_frame.hpp"
 
@@ -16,17 +16,6 @@ constexpr FieldUse displacement(int dimension) {
   constexpr unsigned needs = need::value | need::gradient;
   return dimension == 2 ? StandardFields<2>::displacement.as(Role::reads_if_solved, needs)
                         : StandardFields<3>::displacement.as(Role::reads_if_solved, needs);
-}
-
-std::string unknown_name(const FieldExpression& formula, const FieldReference& wanted,
-                         const std::vector<FieldUse>& run) {
-  std::vector<std::string> names;
-  for (const FieldUse& use : run)
-    for (int c = 0; c < use.components; ++c)
-      names.push_back(FieldReference{use.name, c, -1, use.components > 1}.name());
-  const std::string sentence = "'" + formula.text() + "' speaks of '" + wanted.name() +
-                               "', which is no field of this run; there are " + listed(names);
-  return sentence + did_you_mean(wanted.name(), formula.names_beside(names));
 }
 
 }  // namespace
@@ -46,6 +35,10 @@ FormulaProperty::FormulaProperty(const PropertyUse& property, int dimension,
       formulas_(std::move(formulas)) {}
 
 void FormulaProperty::resolve(const std::vector<FieldUse>& run, Diagnostics& diagnostics) {
+  FormulaNames names;
+  names.dimension = dimension_;
+  for (const FieldUse& use : run)
+    names.fields.push_back({use.name, use.components});
   std::vector<FieldUse> fields;
   const auto index_of = [&](const FieldUse& use) {
     const auto known = std::find_if(fields.begin(), fields.end(), [&](const FieldUse& other) {
@@ -58,6 +51,7 @@ void FormulaProperty::resolve(const std::vector<FieldUse>& run, Diagnostics& dia
   readings_.clear();
   bool moves = false;
   for (const FieldExpression& formula : formulas_) {
+    refuse_hidden_fields(formula, names.fields, diagnostics);
     if (formula.references().size() > most_references)
       return diagnostics.error(formula.location(), "'" + formula.text() + "' names more than " +
                                                        std::to_string(most_references) +
@@ -65,17 +59,12 @@ void FormulaProperty::resolve(const std::vector<FieldUse>& run, Diagnostics& dia
     std::vector<Reading> readings;
     moves = moves || formula.depends_on_moved_position();
     for (const FieldReference& reference : formula.references()) {
-      const auto found = std::find_if(run.begin(), run.end(), [&](const FieldUse& use) {
-        return reference.field == use.name && (use.components > 1) == reference.of_vector &&
-               reference.component < use.components;
-      });
-      if (found == run.end())
-        return diagnostics.error(formula.location(), unknown_name(formula, reference, run));
-
-      const std::size_t field = index_of(*found);
-      if (reference.along >= 0) fields[field].needs |= need::gradient;
-      moves = moves || reference.along >= 0;
-      readings.push_back({field, reference.component, reference.along});
+      const auto found = look_up_field(formula, reference, names, diagnostics);
+      if (!found) return;
+      const std::size_t field = index_of(run[found->field]);
+      if (found->along >= 0) fields[field].needs |= need::gradient;
+      moves = moves || found->along >= 0;
+      readings.push_back({field, found->component, found->along});
     }
     readings_.push_back(std::move(readings));
   }
@@ -85,6 +74,16 @@ void FormulaProperty::resolve(const std::vector<FieldUse>& run, Diagnostics& dia
     fields[static_cast<std::size_t>(displacement_)] = displacement(dimension_);
   }
   set_fields(std::move(fields));
+}
+
+void FormulaProperty::check_unit(const char* wanted, Diagnostics& diagnostics) const {
+  Unit unit;
+  if (!read_unit(wanted, unit).empty()) return;
+  for (const FieldExpression& formula : formulas_)
+    if (formula.unit() && !same_dimension(*formula.unit(), unit))
+      diagnostics.error(formula.location(), "'" + formula.text() + "' is in " +
+                                                formula.unit()->text + ", and '" + name_ + "' in " +
+                                                wanted);
 }
 
 void FormulaProperty::bind(const CellTabulation& table) {
@@ -225,7 +224,7 @@ bool GivenProperty::is_constant() const {
                      [](const FieldExpression& formula) { return formula.is_constant(); });
 }
 
-std::optional<std::vector<double>> GivenProperty::constant() const {
+PropertyConstant GivenProperty::constant() const {
   if (formulas.empty()) return std::nullopt;
   std::vector<double> values(static_cast<std::size_t>(property.components), 0.0);
   if (is_constant())
@@ -234,9 +233,16 @@ std::optional<std::vector<double>> GivenProperty::constant() const {
   return values;
 }
 
-void GivenProperty::supply(const Domain& on, int dimension, std::vector<Supply>& supplies) const {
-  if (is_constant()) return;
-  supplies.push_back({on, true, std::make_unique<FormulaProperty>(property, dimension, formulas)});
+std::vector<PropertyConstant> give(const std::vector<GivenProperty>& all, const Domain& on,
+                                   int dimension, std::vector<Supply>& supplies) {
+  std::vector<PropertyConstant> constants;
+  for (const GivenProperty& one : all) {
+    constants.push_back(one.constant());
+    if (!one.is_constant())
+      supplies.push_back(
+          {on, true, std::make_unique<FormulaProperty>(one.property, dimension, one.formulas)});
+  }
+  return constants;
 }
 
 }  // namespace hawser

@@ -2,6 +2,7 @@
 // Shapes of cells and what there is to know about each. Whoever needs a number of vertices or the
 // ends of an edge asks here; a new shape is one entry of the table.
 #include <cstddef>
+#include <vector>
 
 namespace hawser {
 
@@ -92,6 +93,12 @@ inline constexpr ShapeTraits shape_table[] = {
 
 constexpr const ShapeTraits& traits(CellShape shape) {
   return shape_table[static_cast<std::size_t>(shape)];
+}
+
+/// Those that fill a plane or space.
+inline std::vector<CellShape> body_shapes(int dimension) {
+  if (dimension == 2) return {CellShape::triangle, CellShape::quadrilateral};
+  return {CellShape::tetrahedron, CellShape::hexahedron};
 }
 
 }  // namespace hawser

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "hawser/deck/diagnostics.hpp"
-#include "hawser/deck/field_expression.hpp"
+#include "hawser/deck/look_up_field.hpp"
 #include "hawser/fields/field_sampler.hpp"
 
 namespace hawser {
@@ -39,7 +38,7 @@ class FormulaFields {
     int component, along;
     bool is_normal;
   };
-  Item look_up(const DofMap& dofs, const FieldReference& reference, bool on_boundary,
+  Item look_up(const FormulaNames& names, const FieldReference& reference, bool on_boundary,
                Diagnostics& diagnostics);
   bool is_plain() const;
 

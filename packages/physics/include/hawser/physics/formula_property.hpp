@@ -1,6 +1,7 @@
 #pragma once
 // A property as a deck gives it: formulas of place, time and fields.
 #include "hawser/deck/field_expression.hpp"
+#include "hawser/physics/kernel_properties.hpp"
 #include "hawser/physics/property.hpp"
 
 namespace hawser {
@@ -20,6 +21,7 @@ class FormulaProperty : public PropertySource {
     return std::make_unique<FormulaProperty>(*this);
   }
   void resolve(const std::vector<FieldUse>& run, Diagnostics& diagnostics) override;
+  void check_unit(const char* wanted, Diagnostics& diagnostics) const override;
   void bind(const CellTabulation& table) override;
   bool evaluate(const CellInput& cell, double* values, double* slopes) const override;
 
@@ -48,9 +50,12 @@ struct GivenProperty {
 
   bool is_constant() const;
   /// Nothing where it is not given; zeros, to which the supply adds, where it is a formula.
-  std::optional<std::vector<double>> constant() const;
-  /// Adds the supply to `supplies` where it is a formula.
-  void supply(const Domain& on, int dimension, std::vector<Supply>& supplies) const;
+  PropertyConstant constant() const;
 };
+
+/// The constants of a kernel that uses these properties, in their order; what is a formula becomes
+/// a supply on those cells.
+std::vector<PropertyConstant> give(const std::vector<GivenProperty>& all, const Domain& on,
+                                   int dimension, std::vector<Supply>& supplies);
 
 }  // namespace hawser

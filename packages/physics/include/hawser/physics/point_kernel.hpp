@@ -62,10 +62,7 @@ class PointKernel : public Kernel, public PointFields<Derived> {
   }
 
   int dimension() const override { return Derived::dimension; }
-  std::vector<CellShape> shapes() const override {
-    if (Derived::dimension == 2) return {CellShape::triangle, CellShape::quadrilateral};
-    return {CellShape::tetrahedron, CellShape::hexahedron};
-  }
+  std::vector<CellShape> shapes() const override { return body_shapes(Derived::dimension); }
 
   void bind(const CellTabulation& table) override {
     detail::check_size(*this, table);

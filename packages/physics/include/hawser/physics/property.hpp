@@ -55,6 +55,8 @@ class PropertySource {
   /// Once, before fields() is looked at: the fields of the run, for a law that a deck gives in
   /// fields by name.
   virtual void resolve(const std::vector<FieldUse>& /*run*/, Diagnostics& /*diagnostics*/) {}
+  /// Of numbers that a deck gives with a unit, against that of whoever uses the property.
+  virtual void check_unit(const char* /*wanted*/, Diagnostics& /*diagnostics*/) const {}
   /// Once, with the shapes of fields() at the points where the property is wanted.
   virtual void bind(const CellTabulation& table) = 0;
   /// `cell.fields` in the order of fields(). values[point][component]; slopes, unless null,
