@@ -18,6 +18,11 @@
 #   hawser_program(NAME hawser SOURCES main.cpp DEPENDS simulation ale_fluid LIBRARIES CLI11::CLI11)
 #
 # an executable in build/bin (layer 10).
+#
+#   hawser_embed_files(templates STEM templates/*.xml)
+#
+# sets a variable to the initializers {"name", R"(text)"} of those files, named by their STEM or FILENAME, for
+# configure_file; the configuration is made anew when they change.
 
 include(check_layers)
 
@@ -87,4 +92,16 @@ function(hawser_program)
   target_include_directories(hawser_${arg_NAME}_program PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   install(TARGETS hawser_${arg_NAME}_program)
   hawser_declare_layer(${arg_NAME} 10 "${arg_DEPENDS}")
+endfunction()
+
+function(hawser_embed_files variable called pattern)
+  file(GLOB files CONFIGURE_DEPENDS ${pattern})
+  set(result "")
+  foreach(file IN LISTS files)
+    file(READ ${file} text)
+    cmake_path(GET file ${called} name)
+    string(APPEND result "{\"${name}\", R\"embedded(${text})embedded\"}, ")
+  endforeach()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+  set(${variable} "${result}" PARENT_SCOPE)
 endfunction()

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hawser/base/tensor.hpp"
+#include "src/cell_nodes.hpp"
 
 namespace hawser {
 namespace {
@@ -53,31 +54,17 @@ void CellLocator::move_to(const State& state) {
   if (placed_ && moving_ < 0) return;
   placed_ = true;
   const Mesh& mesh = dofs_.mesh();
-  const ShapeTraits& shape = traits(body_.shape);
-  const auto vertices = static_cast<std::size_t>(shape.vertices);
+  const auto vertices = static_cast<std::size_t>(traits(body_.shape).vertices);
   nodes_of_.assign(cells_.size() * nodes_ * dimension_, 0);
   low_.assign(cells_.size() * dimension_, std::numeric_limits<double>::max());
   high_.assign(low_.size(), std::numeric_limits<double>::lowest());
   std::vector<LocalIndex> rows;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     double* const x = &nodes_of_[i * nodes_ * dimension_];
-    const auto cell = static_cast<std::size_t>(cells_[i]);
-    for (std::size_t k = 0; k < vertices; ++k)
-      for (std::size_t j = 0; j < dimension_; ++j)
-        x[k * dimension_ + j] =
-            mesh.coordinates[static_cast<std::size_t>(body_.vertices[cell * vertices + k]) *
-                                 dimension_ +
-                             j];
-    for (std::size_t e = 0; vertices + e < nodes_; ++e)
-      for (std::size_t j = 0; j < dimension_; ++j)
-        x[(vertices + e) * dimension_ + j] =
-            0.5 * (x[static_cast<std::size_t>(shape.edge[e][0]) * dimension_ + j] +
-                   x[static_cast<std::size_t>(shape.edge[e][1]) * dimension_ + j]);
+    reference_nodes(mesh, body_, cells_[i], nodes_, dimension_, x);
     rows.clear();
     if (moving_ >= 0) dofs_.append_cell_rows(moving_, body_, cells_[i], rows);
-    for (std::size_t a = 0; a < rows.size(); ++a)
-      for (std::size_t j = 0; rows[a] >= 0 && j < dimension_; ++j)
-        x[a * dimension_ + j] += state.value[static_cast<std::size_t>(rows[a]) + j];
+    move_nodes(rows, state, dimension_, dimension_, x);
     // A bent edge goes a little beyond the box of its nodes.
     const double margin = nodes_ > vertices ? 0.25 : 1e-6;
     for (std::size_t j = 0; j < dimension_; ++j) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hawser/element/cell_geometry.hpp"
+#include "src/cell_nodes.hpp"
 
 namespace hawser {
 
@@ -35,29 +36,15 @@ void FieldSampler::gather(Field& field, LocalIndex cell, const State& state) {
 }
 
 void FieldSampler::enter(LocalIndex cell, const State& state) {
-  const Mesh& mesh = dofs_.mesh();
-  const ShapeTraits& shape = traits(region_.shape);
-  const auto dimension = static_cast<std::size_t>(mesh.dimension);
-  const auto vertices = static_cast<std::size_t>(shape.vertices);
+  constexpr std::size_t stride = 3;
+  const auto dimension = static_cast<std::size_t>(dofs_.mesh().dimension);
   const auto nodes = static_cast<std::size_t>(geometry_.nodes);
-  reference_.assign(3 * nodes, 0);
-  for (std::size_t k = 0; k < vertices; ++k) {
-    const auto vertex =
-        static_cast<std::size_t>(region_.vertices[static_cast<std::size_t>(cell) * vertices + k]);
-    for (std::size_t j = 0; j < dimension; ++j)
-      reference_[3 * k + j] = mesh.coordinates[dimension * vertex + j];
-  }
-  for (std::size_t e = 0; vertices + e < nodes; ++e)  // the reference mesh has straight edges
-    for (std::size_t j = 0; j < 3; ++j)
-      reference_[3 * (vertices + e) + j] =
-          0.5 * (reference_[3 * static_cast<std::size_t>(shape.edge[e][0]) + j] +
-                 reference_[3 * static_cast<std::size_t>(shape.edge[e][1]) + j]);
+  reference_.assign(stride * nodes, 0);
+  reference_nodes(dofs_.mesh(), region_, cell, nodes, stride, reference_.data());
   moved_ = reference_;
   rows_.clear();
   if (moving_ >= 0) dofs_.append_cell_rows(moving_, region_, cell, rows_);
-  for (std::size_t a = 0; a < rows_.size(); ++a)
-    for (std::size_t j = 0; rows_[a] >= 0 && j < dimension; ++j)
-      moved_[3 * a + j] += state.value[static_cast<std::size_t>(rows_[a]) + j];
+  move_nodes(rows_, state, dimension, stride, moved_.data());
   for (Field& field : fields_)
     gather(field, cell, state);
   place_.t = state.time;

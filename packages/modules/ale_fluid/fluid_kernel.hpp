@@ -161,25 +161,22 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D>> {
     T continuity;  ///< m^2/s
   };
 
-  /// tau_M = (c.G c + C nu^2 G:G)^-1/2,  tau_C = w (c.G c + C nu^2 G:G)^1/2 / tr G.
+  /// tau_M = (c.G c + C nu^2 G:G)^-1/2 (subscale_rate),  tau_C = w / (tau_M tr G).
   /// G is the metric of the moved cell, 4/h^2 for an equilateral one or a square of edge h. The
   /// step stays out of both: the subscale has a rate of its own, and in tau_C short steps would
   /// lock the volume of the cells at a sharp edge and raise the drag.
   template <class T, class Point>
   Scales<T> time_scales(const Point& at, const Vector<T, D>& convection) const {
-    constexpr double inverse_estimate = 36.0;  // of linear shapes
     // A quarter of the customary weight: at a sharp edge the full one adds 10 % drag on coarse
     // cells.
     constexpr double continuity_weight = 0.25;
     using P = std::decay_t<decltype(at[viscosity])>;
     const P nu = at[viscosity] / at[density] + at[eddy_viscosity];
     const Tensor<T, D> metric = cell_metric(at);
-    const Vector<T, D> metric_c = multiply(metric, convection);
-    const T steady = dot(convection, metric_c) + inverse_estimate * nu * nu * squared(metric);
-    using std::sqrt;
+    const T rate = subscale_rate(metric, convection, nu);
     Scales<T> scales;
-    scales.momentum = 1.0 / sqrt(steady);
-    scales.continuity = continuity_weight * sqrt(steady) / trace(metric);
+    scales.momentum = 1.0 / rate;
+    scales.continuity = continuity_weight * rate / trace(metric);
     return scales;
   }
 };

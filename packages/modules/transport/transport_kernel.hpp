@@ -1,7 +1,6 @@
 #pragma once
 // Heat or a scalar, carried by the flow and conducted, at a quadrature point (theory.md).
 #include <array>
-#include <cmath>
 
 #include "hawser/physics/cell_metric.hpp"
 #include "hawser/physics/moving_point_kernel.hpp"
@@ -98,8 +97,6 @@ class TransportKernel : public MovingPointKernel<TransportKernel<D, Quantity>> {
   /// C dT'/dt + C (1/tau + s) T' = -R, by implicit Euler from the instant of the last equations.
   template <class T, class Point>
   Balance<T> balance_at(const Point& at) const {
-    using std::sqrt;
-    constexpr double inverse_estimate = 36.0;  // of linear shapes
     Balance<T> balance;
     for (int i = 0; i < D; ++i)
       balance.convection[i] = at[velocity].value[i] - at[displacement].rate[i];
@@ -108,11 +105,8 @@ class TransportKernel : public MovingPointKernel<TransportKernel<D, Quantity>> {
         at[capacity] * (at[carried].rate + dot(balance.convection, at[carried].gradient) +
                         at[decay] * at[carried].value) -
         at[source];
-    const Tensor<T, D> metric = cell_metric(at);
     const T diffusivity = balance.conductivity / at[capacity];
-    const T rate = sqrt(dot(balance.convection, multiply(metric, balance.convection)) +
-                        inverse_estimate * diffusivity * diffusivity * squared(metric)) +
-                   at[decay];
+    const T rate = subscale_rate(cell_metric(at), balance.convection, diffusivity) + at[decay];
     const double per_step = 1 / at.elapsed;  // 0 in a steady solve
     balance.subscale =
         (per_step * at.memory[0] - balance.strong_residual / at[capacity]) / (per_step + rate);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "hawser/base/error.hpp"
 
 namespace hawser {
 namespace {
@@ -41,6 +44,18 @@ TangentBlock compare(const SampleCell& cell, std::size_t row, std::size_t column
 }
 
 }  // namespace
+
+std::vector<double> sample_amplitudes(const Kernel& kernel) {
+  std::vector<double> amplitudes = kernel.sample_amplitudes();
+  const std::vector<FieldUse>& fields = kernel.fields();
+  if (amplitudes.size() > fields.size())
+    throw PluginError("a kernel on '" + kernel.domain().text() + "' has " +
+                      std::to_string(amplitudes.size()) + " sample_amplitudes() for " +
+                      std::to_string(fields.size()) + " fields");
+  for (std::size_t f = amplitudes.size(); f < fields.size(); ++f)
+    amplitudes.push_back(fields[f].places_nodes ? 0.05 : 10);
+  return amplitudes;
+}
 
 std::optional<std::vector<TangentBlock>> compare_tangent(SampleCell& cell) {
   std::vector<double> residual, tangent;

@@ -8,6 +8,31 @@
 #include "hawser/physics/field_use.hpp"
 
 namespace hawser {
+namespace {
+
+/// The value of a nodal field; 0 where it has none.
+double nodal(const DofMap& dofs, int field, LocalIndex vertex, const std::vector<double>& values,
+             std::size_t j) {
+  const LocalIndex first = field < 0 ? -1 : dofs.first_row(field, PointKind::vertex, vertex);
+  return first < 0 ? 0.0 : values[static_cast<std::size_t>(first) + j];
+}
+
+/// x[corner][j], m.
+struct MovedTriangle {
+  double x[3][2];
+  MovedTriangle(const DofMap& dofs, int displacement, LocalIndex cell, const State& state) {
+    const Mesh& mesh = dofs.mesh();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const LocalIndex vertex = mesh.body.vertices[3 * static_cast<std::size_t>(cell) + k];
+      for (std::size_t j = 0; j < 2; ++j)
+        x[k][j] = mesh.coordinates[static_cast<std::size_t>(vertex) * 2 + j] +
+                  nodal(dofs, displacement, vertex, state.value, j);
+    }
+  }
+  double quality() const { return triangle_quality(x[0], x[1], x[2]); }
+};
+
+}  // namespace
 
 void refuse_tangled_mesh(const DofMap& dofs, const State& state) {
   const Mesh& mesh = dofs.mesh();
@@ -16,19 +41,15 @@ void refuse_tangled_mesh(const DofMap& dofs, const State& state) {
   const Region& body = mesh.body;
   mesh.communicator.together([&] {
     for (LocalIndex cell = 0; cell < body.size(); ++cell) {
-      double x[3][2], start[2] = {0, 0};
+      double start[2] = {0, 0};
       bool moves = true;  // as a whole; a line may move in a mesh that does not
       for (std::size_t k = 0; k < 3; ++k) {
         const LocalIndex vertex = body.vertices[3 * static_cast<std::size_t>(cell) + k];
-        const LocalIndex first = dofs.first_row(displacement, PointKind::vertex, vertex);
-        moves = moves && first >= 0;
-        for (std::size_t j = 0; moves && j < 2; ++j) {
-          const double here = mesh.coordinates[static_cast<std::size_t>(vertex) * 2 + j];
-          start[j] += here / 3;
-          x[k][j] = here + state.value[static_cast<std::size_t>(first) + j];
-        }
+        moves = moves && dofs.first_row(displacement, PointKind::vertex, vertex) >= 0;
+        for (std::size_t j = 0; j < 2; ++j)
+          start[j] += mesh.coordinates[static_cast<std::size_t>(vertex) * 2 + j] / 3;
       }
-      if (!moves || triangle_quality(x[0], x[1], x[2]) > 0) continue;
+      if (!moves || MovedTriangle(dofs, displacement, cell, state).quality() > 0) continue;
       std::ostringstream text;
       text << "cell " << body.cell_ids[static_cast<std::size_t>(cell)]
            << " of the body, which started near (" << start[0] << ", " << start[1]
@@ -42,28 +63,21 @@ MeshFigures inspect_mesh(const DofMap& dofs, const State& state) {
   const Mesh& mesh = dofs.mesh();
   const int displacement = dofs.find(field_name::displacement);
   const int velocity = dofs.find(field_name::velocity);
-  const auto nodal = [&](int field, LocalIndex vertex, const std::vector<double>& values,
-                         std::size_t j) {
-    const LocalIndex first = field < 0 ? -1 : dofs.first_row(field, PointKind::vertex, vertex);
-    return first < 0 ? 0.0 : values[static_cast<std::size_t>(first) + j];
-  };
   MeshFigures result;
   const Region& body = mesh.body;
   for (LocalIndex cell = 0; cell < body.size(); ++cell) {
     if (body.cell_owners[static_cast<std::size_t>(cell)] != mesh.communicator.rank()) continue;
-    double x[3][2];
+    const MovedTriangle moved(dofs, displacement, cell, state);
+    const auto& x = moved.x;
     double c[2] = {0, 0};
     for (std::size_t k = 0; k < 3; ++k) {
       const LocalIndex vertex = body.vertices[3 * static_cast<std::size_t>(cell) + k];
-      for (std::size_t j = 0; j < 2; ++j) {
-        x[k][j] = mesh.coordinates[static_cast<std::size_t>(vertex) * 2 + j] +
-                  nodal(displacement, vertex, state.value, j);
-        c[j] +=
-            (nodal(velocity, vertex, state.value, j) - nodal(displacement, vertex, state.rate, j)) /
-            3;
-      }
+      for (std::size_t j = 0; j < 2; ++j)
+        c[j] += (nodal(dofs, velocity, vertex, state.value, j) -
+                 nodal(dofs, displacement, vertex, state.rate, j)) /
+                3;
     }
-    const double quality = triangle_quality(x[0], x[1], x[2]);
+    const double quality = moved.quality();
     result.least_quality = std::min(result.least_quality, quality);
     const double twice_area =
         (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[2][0] - x[0][0]) * (x[1][1] - x[0][1]);

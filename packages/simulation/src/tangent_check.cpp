@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "hawser/base/error.hpp"
 #include "hawser/physics/sample_cell.hpp"
 #include "hawser/simulation/run.hpp"
 #include "hawser/simulation/stepper.hpp"
@@ -50,13 +49,7 @@ double least_distance(const std::vector<double>& coordinates, std::size_t dimens
 
 /// The kernel's own amplitudes are for cells of about 1 m: places move by the size of these.
 std::vector<double> amplitudes_of(const Kernel& kernel, double size) {
-  std::vector<double> amplitudes = kernel.sample_amplitudes();
-  if (amplitudes.size() > kernel.fields().size())
-    throw PluginError("a kernel on '" + kernel.domain().text() + "' has " +
-                      std::to_string(amplitudes.size()) + " sample_amplitudes() for " +
-                      std::to_string(kernel.fields().size()) + " fields");
-  for (std::size_t f = amplitudes.size(); f < kernel.fields().size(); ++f)
-    amplitudes.push_back(kernel.fields()[f].places_nodes ? 0.05 : 10);
+  std::vector<double> amplitudes = sample_amplitudes(kernel);
   for (std::size_t f = 0; f < amplitudes.size(); ++f)
     if (kernel.fields()[f].places_nodes) amplitudes[f] *= size;
   return amplitudes;

@@ -1,7 +1,6 @@
 #include "levels.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Import.hpp>
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "hawser/base/error.hpp"
+#include "with_ghosts.hpp"
 
 namespace hawser {
 namespace {
@@ -21,11 +21,7 @@ TpetraVector ones_on(const BlockSystem& system, const std::string& field) {
       for (const LocalIndex row : block.rows)
         owned.replaceLocalValue(row, 1.0);
   TpetraVector all(system.matrix->getColMap());
-  const auto importer = system.matrix->getGraph()->getImporter();
-  if (importer.is_null())
-    all.update(1.0, owned, 0.0);
-  else
-    all.doImport(owned, *importer, Tpetra::INSERT);
+  with_ghosts(*system.matrix, owned, all);
   return all;
 }
 

@@ -11,6 +11,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/base/stopwatch.hpp"
 #include "row_scaling.hpp"
+#include "with_ghosts.hpp"
 
 namespace hawser {
 
@@ -66,11 +67,7 @@ struct LinearSolver::Implementation {
   double backward_error(const TpetraVector& x) {
     const auto local = scaled->getLocalMatrixHost();
     TpetraVector columns(scaled->getColMap());
-    const auto importer = scaled->getGraph()->getImporter();
-    if (importer.is_null())
-      columns.update(1.0, x, 0.0);
-    else
-      columns.doImport(x, *importer, Tpetra::INSERT);
+    with_ghosts(*scaled, x, columns);
     const auto values = columns.getLocalViewHost(Tpetra::Access::ReadOnly);
     const auto rhs = b.getLocalViewHost(Tpetra::Access::ReadOnly);
     const auto rest = remainder.getLocalViewHost(Tpetra::Access::ReadOnly);

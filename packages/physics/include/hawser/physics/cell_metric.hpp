@@ -1,6 +1,8 @@
 #pragma once
 // The metric of a moved cell, from which the time scales of stabilised methods are made (Bazilevs
 // et al., Comput. Methods Appl. Mech. Engrg. 197 (2007) 173-201).
+#include <cmath>
+
 #include "hawser/base/tensor.hpp"
 
 namespace hawser {
@@ -51,14 +53,18 @@ auto cell_metric(const Point& at) {
   return metric;
 }
 
-/// G : G.
-template <class T, int D>
-T squared(const Tensor<T, D>& metric) {
-  T sum = 0.0;
+/// (c.G c + C k^2 G:G)^1/2, 1/s, of a field of linear shapes that is carried by c (m/s) and spread
+/// by k (m^2/s): the inverse of the time scale of its subscale.
+template <class T, int D, class K>
+T subscale_rate(const Tensor<T, D>& metric, const Vector<T, D>& c, const K& k) {
+  using std::sqrt;
+  constexpr double inverse_estimate = 36.0;  // C, of linear shapes
+  T squared = 0.0;                           // G:G
   for (int i = 0; i < D; ++i)
     for (int j = i; j < D; ++j)
-      sum += (i == j ? 1.0 : 2.0) * metric(i, j) * metric(i, j);
-  return sum;
+      squared += (i == j ? 1.0 : 2.0) * metric(i, j) * metric(i, j);
+  constexpr double at_rest = 1e-30;  // 1/s^2: without flow and spreading it has a slope, too
+  return sqrt(at_rest + dot(c, multiply(metric, c)) + inverse_estimate * k * k * squared);
 }
 
 }  // namespace hawser

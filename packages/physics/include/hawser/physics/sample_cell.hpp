@@ -13,6 +13,10 @@
 
 namespace hawser {
 
+/// The kernel's own, and of fields that only the sources of its properties read 10, of places 0.05
+/// m. PluginError when the kernel has more than fields.
+std::vector<double> sample_amplitudes(const Kernel& kernel);
+
 /// One cell in an admissible state, with something to remember, at the end of a step or within it,
 /// its law on its own branch or on one that is held. Rates follow values: rate = slope value +
 /// partner v
@@ -33,12 +37,10 @@ class SampleCell {
     first_.push_back(0);
     for (std::size_t f = 0; f < kernel.fields().size(); ++f)
       first_.push_back(first_.back() + kernel.fields()[f].components * kernel.nodes(f));
-    for (std::size_t f = amplitudes_.size(); f < kernel.fields().size(); ++f)
-      amplitudes_.push_back(kernel.fields()[f].places_nodes ? 0.05 : 10);
     sample_state();
   }
   SampleCell(const Kernel& kernel, std::vector<double> coordinates, unsigned seed)
-      : SampleCell(kernel, std::move(coordinates), seed, kernel.sample_amplitudes()) {}
+      : SampleCell(kernel, std::move(coordinates), seed, sample_amplitudes(kernel)) {}
 
   const Kernel& kernel() const { return kernel_; }
 
