@@ -22,13 +22,13 @@ std::string text_of(const Supplier& supplier) {
 class Connecting {
  public:
   Connecting(const Mesh& mesh, std::vector<PhysicsModule>& modules, Diagnostics& diagnostics)
-      : mesh_(mesh), modules_(modules), diagnostics_(diagnostics) {}
+      : mesh_(mesh), modules_(modules), diagnostics_(diagnostics) {
+    for (const PhysicsModule& module : modules)
+      for (const Supply& supply : module.supplies)
+        suppliers_.push_back({&module, &supply});
+  }
 
   void all() {
-    gather();
-    for (const Supplier& supplier : suppliers_)
-      check_is_used(supplier);
-    if (!diagnostics_.ok()) return;
     for (PhysicsModule& module : modules_)
       for (const auto& kernel : module.kernels)
         for (std::size_t p = 0; p < kernel->properties().uses().size(); ++p)
@@ -36,52 +36,6 @@ class Connecting {
   }
 
  private:
-  void gather() {
-    std::vector<FieldUse> fields;
-    for (const PhysicsModule& module : modules_)
-      for (const auto& kernel : module.kernels)
-        for (const FieldUse& use : kernel->fields())
-          if (!only_reads(use.role)) fields.push_back(use);
-    for (const PhysicsModule& module : modules_)
-      for (const Supply& supply : module.supplies) {
-        supply.source->resolve(fields, diagnostics_);
-        suppliers_.push_back({&module, &supply});
-      }
-  }
-
-  /// A name that is misspelt would be supplied to nobody, without a word.
-  void check_is_used(const Supplier& supplier) {
-    const PropertyUse wanted = supplier.supply->source->property();
-    std::set<std::string> names;
-    for (const PhysicsModule& module : modules_)
-      for (const auto& kernel : module.kernels)
-        for (const PropertyUse& use : kernel->properties().uses()) {
-          const bool is_new = names.insert(use.name).second;
-          if (std::string_view(use.name) != wanted.name) continue;
-          if (is_new) supplier.supply->source->check_unit(use.unit, diagnostics_);
-          const bool same_unit = *wanted.unit == '\0' || std::string_view(use.unit) == wanted.unit;
-          if (same_unit && use.components == wanted.components) continue;
-          if (*wanted.unit == '\0') {
-            diagnostics_.error(supplier.module->location,
-                               "'" + std::string(use.name) + "' has " +
-                                   std::to_string(use.components) + " components, and here are " +
-                                   std::to_string(wanted.components) +
-                                   "; a semicolon sets expressions apart");
-            return;
-          }
-          throw PluginError(named(*supplier.module) + " supplies '" + wanted.name + "' in " +
-                            wanted.unit + " with " + std::to_string(wanted.components) +
-                            " components, and " + named(module) + " uses it in " + use.unit +
-                            " with " + std::to_string(use.components));
-        }
-    const std::vector<std::string> known(names.begin(), names.end());
-    if (names.count(wanted.name) == 0)
-      diagnostics_.error(supplier.module->location,
-                         named(*supplier.module) + " supplies '" + wanted.name +
-                             "', which no module of this run uses; used are " + listed(known) +
-                             did_you_mean(wanted.name, known));
-  }
-
   void connect(const PhysicsModule& module, Kernel& kernel, std::size_t property) {
     const PropertyUse use = kernel.properties().uses()[property];
     const Region& region = mesh_.region(kernel.domain());

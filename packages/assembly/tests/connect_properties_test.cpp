@@ -54,7 +54,8 @@ std::string said(PropertyConstant constant, const std::vector<Given>& given) {
   std::vector<PhysicsModule> modules = modules_with(std::move(constant), given);
   const Mesh mesh = squares(modules);
   Diagnostics diagnostics;
-  connect_properties(mesh, modules, diagnostics);
+  resolve_properties(modules, diagnostics);
+  if (diagnostics.ok()) connect_properties(mesh, modules, diagnostics);
   return diagnostics.ok() ? "" : diagnostics.error_text();
 }
 
@@ -96,21 +97,23 @@ TEST(ConnectProperties, FormulasNameFieldsOfTheRun) {
             "deck.xml:7:3: 'dz(velocity_x)' in the formula 'dz(velocity_x)' is a derivative along "
             "z, and the mesh is one in the plane");
   EXPECT_EQ(said(one, {{"water", "velocty_x"}}),
-            "deck.xml:7:3: 'velocty_x' in the formula 'velocty_x' is no field of this run; there "
-            "are velocity_x and velocity_y; did you mean 'velocity_x'?");
+            "deck.xml:7:3: 'velocty_x' in the formula 'velocty_x' is no field of this run and no "
+            "parameter; there "
+            "are velocity_x, velocity_y; did you mean 'velocity_x'?");
 }
 
 TEST(ConnectProperties, UnitsAgree) {
   std::vector<PhysicsModule> modules = modules_with(one, {{"water", "2"}}, {"stiffness", "N"});
   const Mesh mesh = squares(modules);
   Diagnostics diagnostics;
-  EXPECT_THROW(connect_properties(mesh, modules, diagnostics), PluginError);
+  EXPECT_THROW(resolve_properties(modules, diagnostics), PluginError);
 }
 
 TEST(ConnectProperties, WhatALawReadsBecomesAFieldOfItsUser) {
   std::vector<PhysicsModule> modules = modules_with(one, {{"water", "dx(velocity_y)"}});
   const Mesh mesh = squares(modules);
   Diagnostics diagnostics;
+  resolve_properties(modules, diagnostics);
   connect_properties(mesh, modules, diagnostics);
   ASSERT_TRUE(diagnostics.ok()) << diagnostics.error_text();
   const Kernel& kernel = *modules[0].kernels[0];

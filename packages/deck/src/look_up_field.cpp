@@ -53,7 +53,7 @@ std::optional<FoundField> look_up_field(const FieldExpression& formula,
   if (!field) field = find(names, reference.field);
   if (!field) {
     const std::vector<std::string> known = listed_names(names);
-    return refuse("no field of this run; there are " + listed(known) +
+    return refuse("no field of this run and no parameter; there are " + listed(known) +
                   did_you_mean(reference.name(), formula.names_beside(known)));
   }
   const NamedField& found = names.fields[*field];

@@ -94,7 +94,8 @@ TEST_P(Region2D, TheBoundarySeesTheCellsBesideIt) {
 
 TEST_P(Region2D, WhatDoesNotFitIsSaid) {
   EXPECT_EQ(faults("2*temprature", "water"),
-            "d.xml:1:2: 'temprature' in the formula '2*temprature' is no field of this run; there "
+            "d.xml:1:2: 'temprature' in the formula '2*temprature' is no field of this run and no "
+            "parameter; there "
             "are temperature, velocity_x, velocity_y, pressure, displacement_x, displacement_y, "
             "tint; did you mean 'temperature'?");
   EXPECT_EQ(faults("velocity", "water"),

@@ -18,6 +18,80 @@ constexpr FieldUse displacement(int dimension) {
                         : StandardFields<3>::displacement.as(Role::reads_if_solved, needs);
 }
 
+bool is_constant(const FieldExpressions& formulas) {
+  return std::all_of(formulas.begin(), formulas.end(),
+                     [](const FieldExpression& formula) { return formula.is_constant(); });
+}
+
+PropertyConstant constant(const GivenProperty& given) {
+  if (given.formulas.empty()) return std::nullopt;
+  std::vector<double> values(static_cast<std::size_t>(given.property.components), 0.0);
+  if (is_constant(given.formulas))
+    for (std::size_t c = 0; c < values.size(); ++c)
+      values[c] = given.formulas[c]({});
+  return values;
+}
+
+/// Reads fields at one point of the moved mesh, and adds the slopes of what it read.
+template <int D>
+struct MovedReader {
+  const CellTabulation& table;
+  const CellInput& cell;
+  const CellGeometry<D>& geometry;
+  int q;
+  MovingFrame<double, D> frame;
+  int displacement;
+
+  /// d N_a / d X_k of a field's shape.
+  double slope(std::size_t field, int a, int k) const {
+    const Tabulation& shape = table.fields[field];
+    const double* const local =
+        &shape.gradients[static_cast<std::size_t>((q * shape.nodes + a) * D)];
+    double sum = 0;
+    for (int m = 0; m < D; ++m)
+      sum += local[m] * geometry.inverse_jacobian(m, k);
+    return sum;
+  }
+  double shape(std::size_t field, int a) const {
+    return table.fields[field].values[static_cast<std::size_t>(q * table.fields[field].nodes + a)];
+  }
+  double value(std::size_t field, int components, int c) const {
+    double sum = 0;
+    for (int a = 0; a < table.fields[field].nodes; ++a)
+      sum += shape(field, a) * cell.fields[field].value[a * components + c];
+    return sum;
+  }
+  /// d u_c / d x_j.
+  double gradient(std::size_t field, int components, int c, int j) const {
+    double sum = 0;
+    for (int a = 0; a < table.fields[field].nodes; ++a)
+      for (int k = 0; k < D; ++k)
+        sum +=
+            cell.fields[field].value[a * components + c] * slope(field, a, k) * frame.inverse(k, j);
+    return sum;
+  }
+  void add_value_slope(double factor, std::size_t field, int components, int c,
+                       double* line) const {
+    for (int a = 0; a < table.fields[field].nodes; ++a)
+      line[a * components + c] += factor * shape(field, a);
+  }
+  /// By the field's nodes into `line`, by the displacement's into `moved`: the derivative of F^-1
+  /// is -F^-1 dF F^-1.
+  void add_gradient_slope(double factor, std::size_t field, int components, int c, int j,
+                          double* line, double* moved) const {
+    for (int a = 0; a < table.fields[field].nodes; ++a)
+      for (int k = 0; k < D; ++k)
+        line[a * components + c] += factor * slope(field, a, k) * frame.inverse(k, j);
+    const auto d = static_cast<std::size_t>(displacement);
+    for (int i = 0; i < D; ++i) {
+      const double along = gradient(field, components, c, i);
+      for (int a = 0; a < table.fields[d].nodes; ++a)
+        for (int k = 0; k < D; ++k)
+          moved[a * D + i] -= factor * along * slope(d, a, k) * frame.inverse(k, j);
+    }
+  }
+};
+
 }  // namespace
 
 FormulaProperty::FormulaProperty(std::string name, int dimension, FieldExpressions formulas)
@@ -81,9 +155,9 @@ void FormulaProperty::check_unit(const char* wanted, Diagnostics& diagnostics) c
   if (!read_unit(wanted, unit).empty()) return;
   for (const FieldExpression& formula : formulas_)
     if (formula.unit() && !same_dimension(*formula.unit(), unit))
-      diagnostics.error(formula.location(), "'" + formula.text() + "' is in " +
-                                                formula.unit()->text + ", and '" + name_ + "' in " +
-                                                wanted);
+      diagnostics.error(formula.location(), "'" + formula.text() + " " + formula.unit()->text +
+                                                "' is in " + formula.unit()->text + ", and '" +
+                                                name_ + "' in " + wanted);
 }
 
 void FormulaProperty::bind(const CellTabulation& table) {
@@ -92,66 +166,6 @@ void FormulaProperty::bind(const CellTabulation& table) {
   for (std::size_t f = 0; f < fields().size(); ++f)
     first_.push_back(first_.back() + table.fields[f].nodes * fields()[f].components);
 }
-
-/// Reads fields at one point of the moved mesh, and adds the slopes of what it read.
-template <int D>
-struct MovedReader {
-  const CellTabulation& table;
-  const CellInput& cell;
-  const CellGeometry<D>& geometry;
-  int q;
-  MovingFrame<double, D> frame;
-  int displacement;
-
-  /// d N_a / d X_k of a field's shape.
-  double slope(std::size_t field, int a, int k) const {
-    const Tabulation& shape = table.fields[field];
-    const double* const local =
-        &shape.gradients[static_cast<std::size_t>((q * shape.nodes + a) * D)];
-    double sum = 0;
-    for (int m = 0; m < D; ++m)
-      sum += local[m] * geometry.inverse_jacobian(m, k);
-    return sum;
-  }
-  double shape(std::size_t field, int a) const {
-    return table.fields[field].values[static_cast<std::size_t>(q * table.fields[field].nodes + a)];
-  }
-  double value(std::size_t field, int components, int c) const {
-    double sum = 0;
-    for (int a = 0; a < table.fields[field].nodes; ++a)
-      sum += shape(field, a) * cell.fields[field].value[a * components + c];
-    return sum;
-  }
-  /// d u_c / d x_j.
-  double gradient(std::size_t field, int components, int c, int j) const {
-    double sum = 0;
-    for (int a = 0; a < table.fields[field].nodes; ++a)
-      for (int k = 0; k < D; ++k)
-        sum +=
-            cell.fields[field].value[a * components + c] * slope(field, a, k) * frame.inverse(k, j);
-    return sum;
-  }
-  void add_value_slope(double factor, std::size_t field, int components, int c,
-                       double* line) const {
-    for (int a = 0; a < table.fields[field].nodes; ++a)
-      line[a * components + c] += factor * shape(field, a);
-  }
-  /// By the field's nodes into `line`, by the displacement's into `moved`: the derivative of F^-1
-  /// is -F^-1 dF F^-1.
-  void add_gradient_slope(double factor, std::size_t field, int components, int c, int j,
-                          double* line, double* moved) const {
-    for (int a = 0; a < table.fields[field].nodes; ++a)
-      for (int k = 0; k < D; ++k)
-        line[a * components + c] += factor * slope(field, a, k) * frame.inverse(k, j);
-    const auto d = static_cast<std::size_t>(displacement);
-    for (int i = 0; i < D; ++i) {
-      const double along = gradient(field, components, c, i);
-      for (int a = 0; a < table.fields[d].nodes; ++a)
-        for (int k = 0; k < D; ++k)
-          moved[a * D + i] -= factor * along * slope(d, a, k) * frame.inverse(k, j);
-    }
-  }
-};
 
 bool FormulaProperty::evaluate(const CellInput& cell, double* values, double* slopes) const {
   return dimension_ == 2 ? evaluate_in<2>(cell, values, slopes)
@@ -219,26 +233,12 @@ bool FormulaProperty::evaluate_in(const CellInput& cell, double* values, double*
   return true;
 }
 
-bool GivenProperty::is_constant() const {
-  return std::all_of(formulas.begin(), formulas.end(),
-                     [](const FieldExpression& formula) { return formula.is_constant(); });
-}
-
-PropertyConstant GivenProperty::constant() const {
-  if (formulas.empty()) return std::nullopt;
-  std::vector<double> values(static_cast<std::size_t>(property.components), 0.0);
-  if (is_constant())
-    for (std::size_t c = 0; c < values.size(); ++c)
-      values[c] = formulas[c]({});
-  return values;
-}
-
 std::vector<PropertyConstant> give(const std::vector<GivenProperty>& all, const Domain& on,
                                    int dimension, std::vector<Supply>& supplies) {
   std::vector<PropertyConstant> constants;
   for (const GivenProperty& one : all) {
-    constants.push_back(one.constant());
-    if (!one.is_constant())
+    constants.push_back(constant(one));
+    if (!is_constant(one.formulas))
       supplies.push_back(
           {on, true, std::make_unique<FormulaProperty>(one.property, dimension, one.formulas)});
   }

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "hawser/assembly/connect_properties.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/run_deck.hpp"
@@ -52,7 +53,10 @@ struct Case::Content {
   PluginOfTag plugins{};
 
   std::vector<PhysicsModule> make_modules(Diagnostics& diagnostics) const {
-    return hawser::make_modules(text, deck, registries.modules, plugins, diagnostics);
+    std::vector<PhysicsModule> modules =
+        hawser::make_modules(text, deck, registries.modules, plugins, diagnostics);
+    if (diagnostics.ok()) resolve_properties(modules, diagnostics);
+    return modules;
   }
 };
 

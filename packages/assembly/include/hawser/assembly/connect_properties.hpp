@@ -8,11 +8,15 @@
 
 namespace hawser {
 
-/// Gives every kernel the properties that modules supply on its cells. Before fields are gathered:
-/// what a source reads becomes a field of the kernel. Faults, on all ranks alike: a property that
-/// no module uses, one that a kernel uses and nobody supplies, two suppliers that do not both add,
-/// names in a formula that are no field.
+/// Finds the fields that formulas name. Needs no mesh. Faults: names that are no field, a property
+/// that no module uses, a unit that does not fit.
 /// PluginError: units or components of one name that differ.
+void resolve_properties(std::vector<PhysicsModule>& modules, Diagnostics& diagnostics);
+
+/// Gives every kernel the properties that modules supply on its cells, once they are resolved.
+/// Before fields are gathered: what a source reads becomes a field of the kernel. Faults, on all
+/// ranks alike: a property that a kernel uses and nobody supplies, two suppliers that do not both
+/// add.
 void connect_properties(const Mesh& mesh, std::vector<PhysicsModule>& modules,
                         Diagnostics& diagnostics);
 

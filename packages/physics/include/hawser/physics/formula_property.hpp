@@ -43,18 +43,14 @@ class FormulaProperty : public PropertySource {
   std::vector<int> first_;  // unknown of each field, and their number
 };
 
-/// What a module is given for one of its properties in its deck: a constant, or a supply that adds.
+/// What a module is given for one of its properties in its deck.
 struct GivenProperty {
   PropertyUse property;
   FieldExpressions formulas;  ///< empty: not given
-
-  bool is_constant() const;
-  /// Nothing where it is not given; zeros, to which the supply adds, where it is a formula.
-  PropertyConstant constant() const;
 };
 
-/// The constants of a kernel that uses these properties, in their order; what is a formula becomes
-/// a supply on those cells.
+/// The constants of a kernel that uses these properties, in their order: none where nothing is
+/// given; zeros where it is a formula, which becomes a supply on those cells and adds to them.
 std::vector<PropertyConstant> give(const std::vector<GivenProperty>& all, const Domain& on,
                                    int dimension, std::vector<Supply>& supplies);
 
