@@ -147,6 +147,7 @@ void check_modules(std::vector<std::vector<PhysicsModule>>& runs, const Mesh& me
   double worst = 0;
   for (std::vector<PhysicsModule>& modules : runs) {
     Diagnostics diagnostics;
+    resolve_properties(modules, diagnostics);
     connect_properties(mesh, modules, diagnostics);
     ASSERT_TRUE(diagnostics.ok()) << diagnostics.error_text();
     for (const PhysicsModule& module : modules)
