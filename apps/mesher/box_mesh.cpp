@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
-#include "hawser/mesh/triangle_quality.hpp"
+#include "gmsh_session.hpp"
 
 namespace hawser::mesher {
 namespace {
@@ -104,27 +102,6 @@ void build_geometry(const BoxOptions& o) {
   name(0, {tail}, "tail");
 }
 
-BoxSummary measure() {
-  BoxSummary summary;
-  std::vector<std::size_t> nodes, elements, corners;
-  std::vector<double> x, parametric;
-  gmsh::model::mesh::getNodes(nodes, x, parametric);
-  std::map<std::size_t, const double*> position;
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    position[nodes[k]] = &x[3 * k];
-  summary.nodes = position.size();
-  gmsh::model::mesh::getElementsByType(2, elements, corners);
-  summary.triangles = elements.size();
-  for (std::size_t k = 0; k < elements.size(); ++k) {
-    const double quality = triangle_quality(position[corners[3 * k]], position[corners[3 * k + 1]],
-                                            position[corners[3 * k + 2]]);
-    // The orientation is put right by whoever reads the mesh.
-    summary.least_quality = std::min(summary.least_quality, std::abs(quality));
-    summary.mean_quality += std::abs(quality) / static_cast<double>(elements.size());
-  }
-  return summary;
-}
-
 std::size_t count_segments(const std::string& group) {
   std::size_t count = 0;
   gmsh::vectorpair groups;
@@ -144,24 +121,6 @@ std::size_t count_segments(const std::string& group) {
   }
   return count;
 }
-
-// Under another name first: who finds the file finds all of it.
-void write(const std::string& path) {
-  const std::string partial = path + ".partial.msh";
-  if (!std::ofstream(partial)) throw std::runtime_error("cannot write " + path);
-  gmsh::write(partial);
-  if (std::rename(partial.c_str(), path.c_str()) != 0) {
-    throw std::runtime_error("cannot write " + path);
-  }
-}
-
-// Starts and stops gmsh, also when something is thrown.
-struct Gmsh {
-  Gmsh() { gmsh::initialize(); }
-  ~Gmsh() { gmsh::finalize(); }
-  Gmsh(const Gmsh&) = delete;
-  Gmsh& operator=(const Gmsh&) = delete;
-};
 
 }  // namespace
 
@@ -200,12 +159,8 @@ void check(const BoxOptions& o) {
       "the end size must not be negative nor exceed the cable size, given " + number(o.end_size));
 }
 
-BoxSummary mesh_box(const BoxOptions& options) {
-  const Gmsh gmsh;
-  gmsh::option::setNumber("General.Terminal", 0);
-  gmsh::option::setNumber("General.NumThreads", 1);  // the same mesh on every machine
-  gmsh::option::setNumber("Mesh.Algorithm", 6);      // frontal Delaunay; 8 crashes in Debian 12
-  gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
+MeshSummary mesh_box(const BoxOptions& options) {
+  const GmshSession gmsh;
   // The size comes from the callback alone.
   gmsh::option::setNumber("Mesh.CharacteristicLengthFromPoints", 0);
   gmsh::option::setNumber("Mesh.CharacteristicLengthExtendFromBoundary", 0);
@@ -214,9 +169,7 @@ BoxSummary mesh_box(const BoxOptions& options) {
   gmsh::model::mesh::setSizeCallback(
       [&](int, int, double x, double y, double) { return size_at(options, x, y); });
   gmsh::model::mesh::generate(2);
-  for (int k = 0; k < options.refinements; ++k)
-    gmsh::model::mesh::refine();  // every triangle into four: nested meshes
-  write(options.output);
+  refine_and_write(options.refinements, options.output);
   auto summary = measure();
   summary.segments = count_segments("cable");
   return summary;

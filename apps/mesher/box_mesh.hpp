@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "gmsh_session.hpp"
+
 namespace hawser::mesher {
 
 /// What to mesh; all lengths in m.
@@ -19,15 +21,10 @@ struct BoxOptions {
   std::string output;
 };
 
-struct BoxSummary {
-  std::size_t nodes = 0, triangles = 0, segments = 0;
-  double least_quality = 1, mean_quality = 0;
-};
-
 /// std::invalid_argument with one sentence.
 void check(const BoxOptions& options);
 
 /// Meshes and writes MSH 4.1. std::runtime_error with one sentence.
-BoxSummary mesh_box(const BoxOptions& options);
+MeshSummary mesh_box(const BoxOptions& options);
 
 }  // namespace hawser::mesher

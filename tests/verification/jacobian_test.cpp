@@ -32,6 +32,11 @@ const Snippets snippets = {
     {"ale-fluid",
      R"x(<ale-fluid region="water" density="1000" viscosity="300"
                    body-force="20*sin(x + 0.5*y + t) - X; 10*x*y"/>)x"},
+    {"ale-fluid",
+     R"x(<ale-fluid region="water" density="1000" viscosity="300" elements="taylor-hood" grad-div="20"
+                   body-force="20*sin(x + 0.5*y + t) - X; 10*x*y">
+          <outflow on="outflow" kind="pressure" pressure="40" backflow="0.5"/>
+        </ale-fluid>)x"},
     {"cable",
      R"x(<cable region="cable" axial-stiffness="1e7" bending-stiffness="1e5" damping="20"
                axial-damping="1e4" compressive-ratio="0.01" gravity="1 -9.81" clamped="tail"
@@ -65,6 +70,14 @@ const Snippets snippets = {
     {"scalar-transport",
      R"x(<scalar-transport region="water" field="dye" unit="kg/m^3" diffusivity="0.5 + 0.01*dye^2"
                           source="x*y - dye" decay="0.2 + 0.01*dx(dye)"/>)x"},
+    {"solid",
+     R"x(<solid region="water" density="800" young-modulus="1e5" poisson-ratio="0.4" damping="0.3"
+               viscosity="50" body-force="0.3 -9.81">
+          <load on="outflow" traction="30*x; 20*x*y + t" pressure="40*y"/>
+        </solid>)x"},
+    {"solid",
+     R"x(<solid region="water" law="neo-hookean" density="800 + x" young-modulus="1e5 + 1e4*dx(velocity_y)"
+               body-force="0.3*velocity_x; -9.81*x"/>)x"},
     {"heat", R"x(<heat region="water" capacity="4e6" conductivity="5"/>)x"}};
 
 /// The same in space, for the modules that work there.
@@ -106,12 +119,18 @@ Mesh line_in_space() {
                                      Domain::ends("cable", "tail")}});
 }
 
-/// One of the region's cells, with linear fields.
+/// One of the region's cells, with the bases that the kernel asks for.
 double check_kernel(Kernel& kernel, const Mesh& mesh, unsigned seed) {
   const Region& region = mesh.region(kernel.domain());
-  const std::vector<Basis> bases(kernel.fields().size(), Basis::p1);
-  kernel.bind(region.dimension == mesh.dimension ? tabulate_cell(bases, quadrature(region.shape, 2))
-                                                 : CellTabulation());
+  std::vector<Basis> bases;
+  for (const FieldUse& use : kernel.fields())
+    bases.push_back(use.basis.value_or(Basis::p1));
+  const bool on_facets = region.dimension < mesh.dimension;
+  if (traits(region.shape).dimension < mesh.dimension)
+    kernel.bind({});
+  else
+    kernel.bind(tabulate_cell(bases, on_facets ? facet_quadrature(region.shape, 2)
+                                               : quadrature(region.shape, 2)));
   const auto cell = static_cast<std::size_t>(seed) % static_cast<std::size_t>(region.size());
   const auto corners = static_cast<std::size_t>(region.vertices_per_cell);
   const auto dimension = static_cast<std::size_t>(mesh.dimension);

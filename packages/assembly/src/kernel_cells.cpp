@@ -11,10 +11,12 @@
 namespace hawser {
 namespace {
 
-/// Point kernels have shape functions on cells that fill the space; others know their own.
+/// Point kernels have shape functions on cells that fill the space, and on facets those of the cells
+/// behind them; others know their own.
 void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& cells,
                  Kernel& kernel) {
-  if (region.dimension < dofs.mesh().dimension) return kernel.bind({});
+  const bool on_facets = region.dimension < dofs.mesh().dimension;
+  if (traits(region.shape).dimension < dofs.mesh().dimension) return kernel.bind({});
   std::vector<Basis> bases;
   std::vector<FieldInForm> form;
   for (std::size_t f = 0; f < cells.fields.size(); ++f) {
@@ -25,8 +27,9 @@ void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& ce
     form.push_back({bases.back(), (use.needs & (need::value | need::rate)) != 0,
                     (use.needs & (need::gradient | need::accepted)) != 0, has_rows(use.role)});
   }
-  kernel.bind(
-      tabulate_cell(bases, quadrature(region.shape, quadrature_degree(region.shape, form))));
+  const int degree = quadrature_degree(region.shape, form);
+  kernel.bind(tabulate_cell(bases, on_facets ? facet_quadrature(region.shape, degree)
+                                             : quadrature(region.shape, degree)));
 }
 
 void find_suppliers(const Mesh& mesh, const Region& region, const Kernel& kernel,

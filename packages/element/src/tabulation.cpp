@@ -90,6 +90,25 @@ Quadrature quadrature(CellShape shape, int degree) {
   return result;
 }
 
+Quadrature facet_quadrature(CellShape shape, int degree) {
+  const ShapeTraits& cell = traits(shape);
+  const CellShape facet = cell.dimension == 2 ? CellShape::line
+                          : cell.simplex      ? CellShape::triangle
+                                              : CellShape::quadrilateral;
+  const Quadrature on_facet = quadrature(facet, degree);
+  Quadrature result;
+  result.shape = shape;
+  result.points = on_facet.points;
+  result.weights = on_facet.weights;
+  auto from = on_facet.locations.begin();
+  for (int q = 0; q < result.points; ++q) {
+    for (int k = 0; k + 1 < cell.dimension; ++k)
+      result.locations.push_back(*from++);
+    result.locations.push_back(0);
+  }
+  return result;
+}
+
 Tabulation tabulate(Basis basis, const Quadrature& rule) {
   const auto functions = make_functions(rule.shape, basis);
   const auto dimension = static_cast<std::size_t>(traits(rule.shape).dimension);

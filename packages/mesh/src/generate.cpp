@@ -97,4 +97,13 @@ std::string generate_mesh(const Communicator& communicator, const WaterBox& box,
   return run_mesher(communicator, arguments);
 }
 
+std::string generate_mesh(const Communicator& communicator, const GeoMesh& geo,
+                          const std::string& file, const std::string& path) {
+  std::vector<std::string> arguments = {"--geo=" + file, "--refinements",
+                                        std::to_string(geo.refinements), "--output=" + path};
+  for (const GeoMesh::Number& number : geo.numbers)
+    arguments.push_back("--number=" + number.name + "=" + text(number.value));
+  return run_mesher(communicator, arguments);
+}
+
 }  // namespace hawser

@@ -59,6 +59,23 @@ Spec<MeshFileDeck> MeshFileDeck::spec() {
                  "Of the space; in three the file may hold lines and points only.");
 }
 
+Spec<GeoMesh::Number> GeoMesh::Number::spec() {
+  using P = Number;
+  return Spec<P>("number", "A constant of the geometry, which it has by DefineConstant.")
+      .attribute("name", &P::name, required(), "As in the file.")
+      .attribute("value", &P::value, "1", required() && any(), "In the file's units: metres.");
+}
+
+Spec<GeoMesh> GeoMesh::spec() {
+  using P = GeoMesh;
+  return Spec<P>("geo", "A geometry in gmsh's language (.geo), meshed in the plane; its physical "
+                        "groups are the regions.")
+      .attribute("file", &P::file, required(), "A relative path starts at the deck's folder.")
+      .attribute("refinements", &P::refinements, between(0, 10),
+                 "How often every cell of the mesh so described is cut into four.")
+      .children(&P::numbers);
+}
+
 Spec<MeshDeck> MeshDeck::spec() {
   using P = MeshDeck;
   return Spec<P>("mesh", "Where the mesh comes from: exactly one of the children.")
@@ -74,13 +91,14 @@ Spec<MeshDeck> MeshDeck::spec() {
       .child(&P::water_box)
       .child(&P::line)
       .child(&P::file)
+      .child(&P::geo)
       .location(&P::location)
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
         if (int(p.tow_box.has_value()) + int(p.water_box.has_value()) + int(p.line.has_value()) +
-                int(p.file.has_value()) !=
+                int(p.file.has_value()) + int(p.geo.has_value()) !=
             1)
           diagnostics.error(
-              where, "<mesh> needs exactly one of <tow-box>, <water-box>, <line> and <file>");
+              where, "<mesh> needs exactly one of <tow-box>, <water-box>, <line>, <file> and <geo>");
       });
 }
 
@@ -106,7 +124,9 @@ int MeshDeck::dimension() const {
   return file ? file->dimension : 2;
 }
 
-std::string MeshDeck::generate(const Communicator& communicator, const std::string& path) const {
+std::string MeshDeck::generate(const Communicator& communicator, const std::string& geometry,
+                               const std::string& path) const {
+  if (geo) return generate_mesh(communicator, *geo, geometry, path);
   if (tow_box) return generate_mesh(communicator, *tow_box, path);
   if (water_box) return generate_mesh(communicator, *water_box, path);
   generate_mesh(communicator, *line, path);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "flow_properties.hpp"
 #include "hawser/physics/cell_metric.hpp"
 #include "hawser/physics/moving_point_kernel.hpp"
 
@@ -14,7 +15,7 @@ namespace hawser {
 /// (2007) 173-201). Density, viscosity and body force are properties: whatever supplies them is
 /// felt by the stress and by the stabilisation alike.
 template <int D>
-class FluidKernel : public MovingPointKernel<FluidKernel<D>> {
+class FluidKernel : public MovingPointKernel<FluidKernel<D>>, public FlowProperties {
  public:
   static constexpr int dimension = D;
   static constexpr int memory = D;  // the subscale velocity, m/s
@@ -28,9 +29,6 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D>> {
   static constexpr Slot<0> velocity{};
   static constexpr Slot<1> pressure{};
   static constexpr Slot<2> displacement{};
-  static constexpr PropertySlot<0> density{};
-  static constexpr PropertySlot<1> viscosity{};
-  static constexpr PropertySlot<2> eddy_viscosity{};
   static constexpr PropertySlot<3> body_force{};
 
   using MovingPointKernel<FluidKernel>::MovingPointKernel;
@@ -114,13 +112,6 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D>> {
   std::vector<double> sample_amplitudes() const override { return {1.0, 100.0, 0.05}; }
 
  private:
-  /// Molecular and turbulent, Pa s.
-  template <class Point>
-  static auto total_viscosity(const Point& at) {
-    using P = std::decay_t<decltype(at[viscosity])>;
-    return P(at[viscosity] + at[density] * at[eddy_viscosity]);
-  }
-
   template <class T>
   struct Balance {
     Vector<T, D> convection;     ///< c = v - w, relative to the mesh, m/s

@@ -2,7 +2,9 @@
 // The traction at an outflow boundary (theory.md, equations 9-10).
 #include <array>
 
-#include "hawser/physics/element_kernel.hpp"
+#include "flow_properties.hpp"
+#include "hawser/physics/moved_point.hpp"
+#include "hawser/physics/point_kernel.hpp"
 
 namespace hawser {
 
@@ -12,70 +14,73 @@ struct OutflowTraction {
   double backflow = 0;           ///< share of rho (v.n)_- v that resists inflow through the outlet
 };
 
-/// On "facet" cells: the boundary edge's two nodes, then the third node of its triangle, so that
-/// the velocity gradient on the boundary is that of the adjacent cell.
-class OutflowKernel : public ElementKernel<OutflowKernel> {
+/// On facets, with the velocity gradient of the cell behind; any basis.
+template <int D>
+class OutflowKernel : public PointKernel<OutflowKernel<D>>, public FlowProperties {
  public:
-  static constexpr int dimension = 2;
-  static constexpr CellShape shape = CellShape::triangle;
-  static constexpr int node_count = 3;
+  static constexpr int dimension = D;
+  static constexpr bool on_facets = true;
   static constexpr std::array<FieldUse, 2> uses = {
-      StandardFields<2>::velocity.as(Role::adds, need::value),
-      StandardFields<2>::displacement.as(Role::reads_if_solved, need::value)};
+      StandardFields<D>::velocity.as(Role::adds, need::value | need::gradient),
+      StandardFields<D>::displacement.as(Role::reads_if_solved, need::gradient)};
   static constexpr std::array<PropertyUse, 3> properties = {property::density, property::viscosity,
                                                             property::eddy_viscosity};
-  static constexpr int velocity = 0;
-  static constexpr int displacement = 1;
-  static constexpr PropertySlot<0> density{};
-  static constexpr PropertySlot<1> viscosity{};
-  static constexpr PropertySlot<2> eddy_viscosity{};
+  static constexpr Slot<0> velocity{};
+  static constexpr Slot<1> displacement{};
 
   OutflowKernel(Domain facets, std::vector<PropertyConstant> constants,
                 const OutflowTraction& outside)
-      : ElementKernel(std::move(facets), std::move(constants)), outside_(outside) {}
+      : PointKernel<OutflowKernel>(std::move(facets), std::move(constants)), outside_(outside) {}
 
-  template <class Element, class T>
-  void element_residual(const Element& at, T* out) const {
-    T x[3][2];
-    for (int a = 0; a < 3; ++a)
-      for (int i = 0; i < 2; ++i)
-        x[a][i] = at.coordinate(a, i) + at.value(displacement, a, i);
-    // Outward normal times the edge's length; the body lies on the left of 0 -> 1.
-    const T normal[2] = {x[1][1] - x[0][1], x[0][0] - x[1][0]};
-    const T twice_area = normal[0] * (x[0][0] - x[2][0]) + normal[1] * (x[0][1] - x[2][1]);
-    T transposed[2] = {T(0.0), T(0.0)};  // (grad v)^T n
-    if (outside_.keeps_poiseuille)
-      for (int a = 0; a < 3; ++a) {
-        const int b = (a + 1) % 3, c = (a + 2) % 3;
-        const T flow = at.value(velocity, a, 0) * normal[0] + at.value(velocity, a, 1) * normal[1];
-        transposed[0] += (x[b][1] - x[c][1]) / twice_area * flow;
-        transposed[1] += (x[c][0] - x[b][0]) / twice_area * flow;
-      }
-    for (int a = 0; a < 2; ++a) {
-      const T flow = at.value(velocity, a, 0) * normal[0] + at.value(velocity, a, 1) * normal[1];
-      const auto& rho = at.property(density, a);
-      for (int i = 0; i < 2; ++i) {  // nodal quadrature
-        const T load =
-            (at.property(viscosity, a) + rho * at.property(eddy_viscosity, a)) * transposed[i] -
-            outside_.pressure * normal[i];
-        out[at.index(velocity, a, i)] -= 0.5 * load;
-        if (flow < 0.0)
-          out[at.index(velocity, a, i)] -=
-              0.5 * outside_.backflow * rho * flow * at.value(velocity, a, i);
-      }
-    }
+  template <class Point, class Form>
+  void weak_form(const Point& at, Form& out) const {
+    const auto frame = detail::frame_at<OutflowKernel>(at);
+    out.inverted = frame.inverted();
+    if (out.inverted) return;
+    const auto load = outward_load(at, frame);
+    for (int i = 0; i < D; ++i)
+      out[velocity].source[i] = -load[i];
   }
 
   std::vector<EnergyTerm> energy_terms() const override {
     return {{"outflow", EnergyTerm::Kind::transported}};
   }
   void powers(const CellInput& cell, double* powers) const override {
-    powers[0] = residual_times(cell, velocity);
+    powers[0] = 0;
+    this->at_points(cell, [&](const auto& at, double weight, int /*q*/, const auto& /*shapes*/) {
+      const auto frame = detail::frame_at<OutflowKernel>(at);
+      powers[0] -= weight * dot(outward_load(at, frame), at[velocity].value);
+    });
   }
 
   std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }
 
  private:
+  /// Per reference measure of the facet, N.
+  template <class Point, class Frame>
+  auto outward_load(const Point& at, const Frame& frame) const {
+    using T = typename Point::Number;
+    const auto& v = at[velocity].value;
+    const Vector<double, D> reference = at.facet();
+    Vector<T, D> normal = multiply(reference, frame.inverse);  // n dA = J F^-T N dA
+    for (int i = 0; i < D; ++i)
+      normal[i] *= frame.volume;
+    const T flow = dot(v, normal);
+    Vector<T, D> load;
+    for (int i = 0; i < D; ++i)
+      load[i] = -outside_.pressure * normal[i];
+    if (outside_.keeps_poiseuille) {
+      const auto mu = total_viscosity(at);
+      const Vector<T, D> transposed = multiply(normal, frame.spatial(at[velocity].gradient));
+      for (int i = 0; i < D; ++i)
+        load[i] += mu * transposed[i];
+    }
+    if (flow < 0.0)
+      for (int i = 0; i < D; ++i)
+        load[i] += outside_.backflow * at[density] * flow * v[i];
+    return load;
+  }
+
   OutflowTraction outside_;
 };
 

@@ -191,7 +191,8 @@ ProvidedMesh provide_mesh(const Case& run_case, const std::string& place) {
   }
   if (mesh.file) return {path_beside(run_case.text(), mesh.file->name), {}};
   try {
-    return {place, mesh.generate(run_case.communicator(), place)};
+    const std::string geometry = mesh.geo ? path_beside(run_case.text(), mesh.geo->file) : "";
+    return {place, mesh.generate(run_case.communicator(), geometry, place)};
   } catch (const MeshError& error) {
     throw MeshError(mesh.location.text() + ": " + error.what());
   }

@@ -26,6 +26,15 @@ struct CellGeometry {
     invert(jacobian);
   }
 
+  /// Outward normal of the facet on which the last reference coordinate vanishes, as long as the
+  /// facet is large per reference measure, m^(D-1).
+  Vector<double, D> facet() const {
+    Vector<double, D> normal;
+    for (int j = 0; j < D; ++j)
+      normal[j] = -determinant * inverse_jacobian(D - 1, j);
+    return normal;
+  }
+
   void go_to(int q, const CellTabulation& table, const double* X) {
     if (table.affine) {
       const double* const xi = &table.rule.locations[static_cast<std::size_t>(q * D)];

@@ -32,6 +32,10 @@ struct CellTabulation {
 /// Exact for polynomials of `degree` (per direction on quadrilaterals and hexahedra).
 Quadrature quadrature(CellShape shape, int degree);
 
+/// On the facet of the cell on which its last reference coordinate vanishes (of a triangle the edge
+/// from its first to its second vertex); the weights sum to that facet's reference measure.
+Quadrature facet_quadrature(CellShape shape, int degree);
+
 Tabulation tabulate(Basis basis, const Quadrature& rule);
 
 /// Fields of these bases on cells with straight edges.

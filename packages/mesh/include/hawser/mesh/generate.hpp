@@ -40,6 +40,19 @@ struct LineMesh {
   static Spec<LineMesh> spec();
 };
 
+/// A geometry in gmsh's own language, meshed in the plane.
+struct GeoMesh {
+  struct Number {
+    std::string name;
+    double value = 0;
+    static Spec<Number> spec();
+  };
+  Located<std::string> file;
+  std::vector<Number> numbers;  ///< in place of those that the file has by DefineConstant
+  int refinements = 0;          ///< how often every cell is cut into four
+  static Spec<GeoMesh> spec();
+};
+
 /// Region "cable", points "tow-point" (from), "tail" (to) and, with an even number of segments,
 /// "middle". Collective; MeshError on all ranks.
 void generate_mesh(const Communicator& communicator, const LineMesh& line, const std::string& path);
@@ -54,5 +67,9 @@ std::string generate_mesh(const Communicator& communicator, const TowBox& box,
                           const std::string& path);
 std::string generate_mesh(const Communicator& communicator, const WaterBox& box,
                           const std::string& path);
+
+/// `file`: where geo.file lies. Physical groups are those of the file.
+std::string generate_mesh(const Communicator& communicator, const GeoMesh& geo,
+                          const std::string& file, const std::string& path);
 
 }  // namespace hawser

@@ -22,11 +22,14 @@ struct MeshDeck {
   std::optional<WaterBox> water_box;
   std::optional<LineMesh> line;
   std::optional<MeshFileDeck> file;
+  std::optional<GeoMesh> geo;
   Location location;
   static Spec<MeshDeck> spec();
   int dimension() const;  ///< of the space; known before there is a mesh
-  /// Makes the mesh, unless it is a file, at `path`; returns one line about it. Collective.
-  std::string generate(const Communicator& communicator, const std::string& path) const;
+  /// Makes the mesh, unless it is a file, at `path`; returns one line about it. `geometry`: where
+  /// the file of <geo> lies. Collective.
+  std::string generate(const Communicator& communicator, const std::string& geometry,
+                       const std::string& path) const;
 };
 
 }  // namespace hawser

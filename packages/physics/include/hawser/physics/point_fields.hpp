@@ -40,6 +40,7 @@ class PointFields {
     double time = 0;
     double step = 0;
     double elapsed = 0;              ///< s, since the instant of what is remembered
+    double share = 1;                ///< of the step, at which the equations are formed
     const double* memory = nullptr;  ///< [Derived::memory], of the last accepted step
     template <int S>
     const auto& operator[](Slot<S> /*slot*/) const {
@@ -65,6 +66,7 @@ class PointFields {
     at.time = cell.time;
     at.step = cell.step;
     at.elapsed = cell.elapsed;
+    at.share = cell.share;
     at.CellGeometry<Derived::dimension>::enter(table_, cell.coordinates);
   }
 

@@ -38,6 +38,10 @@ struct FormAtPoint<T, C, D, false> {
 ///               template <class Point, class Form> void weak_form(const Point& at, Form& out)
 ///               const;
 /// `typename Point::Number` is the number type; set out.inverted when det F <= 0.
+/// One that works on the facets of a boundary (Domain::facets), with the shapes of the cells behind
+/// them, hides
+///               static constexpr bool on_facets = true;
+/// Its source is per reference measure of the facet: an outward load per area times at.facet().
 /// One that uses properties hides
 ///               static constexpr std::array<PropertyUse, m> properties;
 /// hands the constants that its module gives to the constructor, and reads at[PropertySlot<i>]: a
@@ -51,6 +55,7 @@ template <class Derived>
 class PointKernel : public Kernel, public PointFields<Derived> {
  public:
   static constexpr int memory = 0;
+  static constexpr bool on_facets = false;
   static constexpr std::array<PropertyUse, 0> properties{};
   using PointFields<Derived>::directions;
 
@@ -95,6 +100,12 @@ class PointKernel : public Kernel, public PointFields<Derived> {
   void at_points(const CellInput& cell, Visit&& visit) const;
 
  private:
+  template <class At>
+  double weight(int q, const At& at) const {
+    const double weight = this->table_.rule.weights[static_cast<std::size_t>(q)];
+    return Derived::on_facets ? weight : weight * at.determinant;
+  }
+
   template <class T, class Index>
   struct FormOf;
   template <class T, std::size_t... I>

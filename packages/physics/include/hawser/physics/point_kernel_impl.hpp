@@ -27,7 +27,7 @@ void PointKernel<Derived>::at_points(const CellInput& cell, Visit&& visit) const
   for (int q = 0; q < this->table_.rule.points; ++q) {
     this->go_to(q, cell, at, gradients);
     load_properties<double>(q, at);
-    visit(at, this->table_.rule.weights[q] * at.determinant, q, std::as_const(gradients));
+    visit(at, weight(q, at), q, std::as_const(gradients));
   }
 }
 
@@ -63,7 +63,7 @@ CellStatus PointKernel<Derived>::evaluate(const CellInput& cell, double* residua
   for (int q = 0; q < rule.points; ++q) {
     this->go_to(q, cell, at, gradients);
     if (q == 0 || supplies().supplied()) load_properties<P>(q, at);
-    const double weight = rule.weights[q] * at.determinant;
+    const double weight = this->weight(q, at);
 
     FormOf<T, Indices> out;
     static_cast<const Derived&>(*this).weak_form(at, out);
