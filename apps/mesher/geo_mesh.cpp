@@ -40,11 +40,10 @@ std::vector<std::string> defined_in(const std::string& file) {
   with_gmsh(file, [&] { gmsh::open(file); });
   std::vector<std::string> names;
   gmsh::onelab::getNames(names);
-  names.erase(std::remove_if(names.begin(), names.end(),
-                             [](const std::string& name) {
-                               return name.find('/') != std::string::npos;
-                             }),
-              names.end());
+  names.erase(
+      std::remove_if(names.begin(), names.end(),
+                     [](const std::string& name) { return name.find('/') != std::string::npos; }),
+      names.end());
   return names;
 }
 

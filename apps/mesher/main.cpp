@@ -9,9 +9,9 @@
 //   hawser_mesher --box 0 0 1 1 --no-cable --structured 8 8 --flow-direction=+x --output square.msh
 //   hawser_mesher --geo flag.geo --number size=.02 --output flag.msh
 //
-// Physical groups of a box: the surface "water"; the lines "inflow" and "outflow" (across the flow), "sides"
-// (along it), "left", "right", "bottom", "top" (the same lines by place), "cable"; the points
-// "corner" (xmin, ymin), "tow-point" and "tail" (the cable's start and end).
+// Physical groups of a box: the surface "water"; the lines "inflow" and "outflow" (across the
+// flow), "sides" (along it), "left", "right", "bottom", "top" (the same lines by place), "cable";
+// the points "corner" (xmin, ymin), "tow-point" and "tail" (the cable's start and end).
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -48,8 +48,7 @@ int main(int argc, char** argv) {
       "Meshes a box of water, with or without a cable in it, or a .geo file (lengths in m)."};
   auto* of_geo = app.add_option("--geo", geo.file, "a geometry in gmsh's language, in the plane");
   app.add_option("--number", numbers, "NAME=VALUE of a constant of the geometry")->needs(of_geo);
-  auto* of_box =
-      app.add_option("--box", box, "xmin ymin xmax ymax")->expected(4)->excludes(of_geo);
+  auto* of_box = app.add_option("--box", box, "xmin ymin xmax ymax")->expected(4)->excludes(of_geo);
   auto* with = app.add_option("--cable", cable, "x0 y0 x1 y1: tow point, tail")->expected(4);
   auto* without = app.add_flag("--no-cable", "water only")->excludes(with);
   app.add_option("--cable-size", options.cable_size, "segment length on the cable");
@@ -68,7 +67,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (of_geo->empty() && of_box->empty()) throw CLI::RequiredError("--box or --geo");
-    if (of_geo->empty() && with->empty() && without->empty()) throw CLI::RequiredError("--cable or --no-cable");
+    if (of_geo->empty() && with->empty() && without->empty())
+      throw CLI::RequiredError("--cable or --no-cable");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help
     std::fprintf(stderr, "hawser_mesher: %s\n", error.what());

@@ -1,7 +1,6 @@
 """Decks as text: the parts that the decks of this folder share."""
 from sympy.printing.str import StrPrinter
 
-SOLVER = """  <solver><linear method="mumps" tolerance="1e-12"/><newton tolerance="1e-11"/></solver>"""
 SIDES = "left right bottom top"
 
 
@@ -22,10 +21,11 @@ def text(*components):
 DECKS = {}
 
 
-def deck(name, title, header, body, base=None):
+def deck(name, title, header, body, base=None, linear="1e-12"):
     """A deck of its own, or what differs from a base."""
     extends = f'extends="{base}.xml" ' if base else ""
-    solver = "" if base else SOLVER + "\n"
+    solver = "" if base else f"""  <solver><linear method="mumps" tolerance="{linear}"/><newton tolerance="1e-11"/></solver>
+"""
     DECKS[f"{name}.xml"] = f"""<?xml version="1.0"?>
 <!-- Written by manufacture.py.
 {header.strip(chr(10))}

@@ -35,6 +35,15 @@ def mesh_force(d, poisson=sp.Rational(3, 10)):
     return [-sum(sp.diff(stress[i, j], (X, Y)[j]) for j in (0, 1)) for i in (0, 1)]
 
 
+def solid_force(d, young=1, poisson=sp.Rational(3, 10), rho=1):
+    """-Div (F S) per mass of a body at rest that obeys St Venant and Kirchhoff's law, in plane strain."""
+    H = sp.Matrix(2, 2, lambda i, j: sp.diff(d[i], (X, Y)[j]))
+    strain = (H + H.T + H.T * H) / 2
+    stress = young / (1 + poisson) * (poisson / (1 - 2 * poisson) * strain.trace() * sp.eye(2) + strain)
+    piola = (sp.eye(2) + H) * stress
+    return [-sum(sp.diff(piola[i, j], (X, Y)[j]) for j in (0, 1)) / rho for i in (0, 1)]
+
+
 def cable_load(place, S, mass, stiffness, bending=0, damping=0):
     """m d'' + k d' - (N x')' + (EI (I - tt) t''/|x'|)' of a cable that lies on the line S."""
     slope = [sp.diff(c, S) for c in place]

@@ -129,8 +129,8 @@ double check_kernel(Kernel& kernel, const Mesh& mesh, unsigned seed) {
   if (traits(region.shape).dimension < mesh.dimension)
     kernel.bind({});
   else
-    kernel.bind(tabulate_cell(bases, on_facets ? facet_quadrature(region.shape, 2)
-                                               : quadrature(region.shape, 2)));
+    kernel.bind(tabulate_cell(
+        bases, on_facets ? facet_quadrature(region.shape, 2) : quadrature(region.shape, 2)));
   const auto cell = static_cast<std::size_t>(seed) % static_cast<std::size_t>(region.size());
   const auto corners = static_cast<std::size_t>(region.vertices_per_cell);
   const auto dimension = static_cast<std::size_t>(mesh.dimension);

@@ -11,8 +11,8 @@
 namespace hawser {
 namespace {
 
-/// Point kernels have shape functions on cells that fill the space, and on facets those of the cells
-/// behind them; others know their own.
+/// Point kernels have shape functions on cells that fill the space, and on facets those of the
+/// cells behind them; others know their own.
 void bind_shapes(const DofMap& dofs, const Region& region, const KernelCells& cells,
                  Kernel& kernel) {
   const bool on_facets = region.dimension < dofs.mesh().dimension;

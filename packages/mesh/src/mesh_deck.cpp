@@ -68,8 +68,9 @@ Spec<GeoMesh::Number> GeoMesh::Number::spec() {
 
 Spec<GeoMesh> GeoMesh::spec() {
   using P = GeoMesh;
-  return Spec<P>("geo", "A geometry in gmsh's language (.geo), meshed in the plane; its physical "
-                        "groups are the regions.")
+  return Spec<P>("geo",
+                 "A geometry in gmsh's language (.geo), meshed in the plane; its physical "
+                 "groups are the regions.")
       .attribute("file", &P::file, required(), "A relative path starts at the deck's folder.")
       .attribute("refinements", &P::refinements, between(0, 10),
                  "How often every cell of the mesh so described is cut into four.")
@@ -98,7 +99,8 @@ Spec<MeshDeck> MeshDeck::spec() {
                 int(p.file.has_value()) + int(p.geo.has_value()) !=
             1)
           diagnostics.error(
-              where, "<mesh> needs exactly one of <tow-box>, <water-box>, <line>, <file> and <geo>");
+              where,
+              "<mesh> needs exactly one of <tow-box>, <water-box>, <line>, <file> and <geo>");
       });
 }
 

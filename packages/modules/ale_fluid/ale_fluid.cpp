@@ -41,8 +41,7 @@ struct AleFluid {
 
   static Spec<AleFluid> spec() {
     using P = AleFluid;
-    return Spec<P>("ale-fluid",
-                   "Incompressible Navier-Stokes flow on a moving mesh.")
+    return Spec<P>("ale-fluid", "Incompressible Navier-Stokes flow on a moving mesh.")
         .source("packages/modules/ale_fluid/theory.md")
         .attribute("region", &P::region, required(), "Regions that the fluid fills.")
         .attribute("density", &P::density, "kg/m^3", positive() && length(1), "Mass density.")
@@ -54,14 +53,16 @@ struct AleFluid {
         .attribute("body-force", &P::body_force, "m/s^2", any() && length(2) && absent("none"),
                    "Body force per unit mass: two numbers or expressions of x y z (moved), X Y Z "
                    "(reference), t, fields and their derivatives.")
-        .choice("elements", &P::elements,
-                {{"stabilised", Elements::stabilised}, {"taylor-hood", Elements::taylor_hood}},
-                "Linear velocity and pressure with SUPG, PSPG and LSIC stabilisation, or Taylor and "
-                "Hood's: quadratic velocity, linear pressure, no stabilisation. A mesh that moves "
-                "then needs <field name=\"displacement\" basis=\"P2\"/> where a structure moves it.")
-        .attribute("grad-div", &P::grad_div, "Pa s", non_negative(),
-                   "Of Taylor and Hood's elements: this times the divergence is added to the stress, "
-                   "which keeps volumes at small viscosity.")
+        .choice(
+            "elements", &P::elements,
+            {{"stabilised", Elements::stabilised}, {"taylor-hood", Elements::taylor_hood}},
+            "Linear velocity and pressure with SUPG, PSPG and LSIC stabilisation, or Taylor and "
+            "Hood's: quadratic velocity, linear pressure, no stabilisation. A mesh that moves "
+            "then needs <field name=\"displacement\" basis=\"P2\"/> where a structure moves it.")
+        .attribute(
+            "grad-div", &P::grad_div, "Pa s", non_negative(),
+            "Of Taylor and Hood's elements: this times the divergence is added to the stress, "
+            "which keeps volumes at small viscosity.")
         .children(&P::outflows)
         .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
           if (p.grad_div > 0 && p.elements == Elements::stabilised)

@@ -9,8 +9,8 @@
 
 namespace hawser {
 
-/// Quadratic velocity and linear pressure, which are stable by themselves: Galerkin's equations, and
-/// `grad_div` (Pa s) times the divergences of velocity and test function, which is zero in the
+/// Quadratic velocity and linear pressure, which are stable by themselves: Galerkin's equations,
+/// and `grad_div` (Pa s) times the divergences of velocity and test function, which is zero in the
 /// continuous problem.
 template <int D>
 class TaylorHoodKernel : public MovingPointKernel<TaylorHoodKernel<D>>, public FlowProperties {

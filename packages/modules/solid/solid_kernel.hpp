@@ -44,8 +44,7 @@ class SolidKernel : public PointKernel<SolidKernel<D>> {
     const auto& rho = at[density];
     const auto v = at[velocity];
     for (int i = 0; i < D; ++i)
-      out[velocity].source[i] =
-          rho * (v.rate[i] + solid_.damping * v.value[i] - at[body_force][i]);
+      out[velocity].source[i] = rho * (v.rate[i] + solid_.damping * v.value[i] - at[body_force][i]);
     auto stress = elastic_stress(at);
     if (solid_.viscosity > 0) {
       const auto rate = strain_rate(F, v.gradient);
@@ -162,8 +161,7 @@ class SolidKernel : public PointKernel<SolidKernel<D>> {
       for (int j = 0; j < D; ++j)
         end(i, j) = accepted(i, j) + (now(i, j) - accepted(i, j)) / at.share;
     const Tensor<T, D> after = green_lagrange(end);
-    Tensor<T, D> stress =
-        mean_stress(solid_.law, green_lagrange(accepted), after, parameters);
+    Tensor<T, D> stress = mean_stress(solid_.law, green_lagrange(accepted), after, parameters);
     const double of_mean = 2 * (1 - at.share), of_end = 2 * at.share - 1;
     if (of_end == 0) return stress;
     const Tensor<T, D> final = second_piola(solid_.law, after, parameters);

@@ -68,10 +68,9 @@ TEST(FluidKernel, EnergyTermsAreThePowerOfTheResidual) {
 
 TEST(OutflowKernel, CarriesOffThePowerOfItsResidual) {
   OutflowKernel<2> kernel(Domain::facets("outlet"),
-                       {std::vector<double>{1000}, std::vector<double>{300}, std::nullopt},
-                       {2e4, true, 0.5});
-  kernel.bind(
-      tabulate_cell({Basis::p2, Basis::p2}, facet_quadrature(CellShape::triangle, 5)));
+                          {std::vector<double>{1000}, std::vector<double>{300}, std::nullopt},
+                          {2e4, true, 0.5});
+  kernel.bind(tabulate_cell({Basis::p2, Basis::p2}, facet_quadrature(CellShape::triangle, 5)));
   for (unsigned seed = 1; seed < 6; ++seed)
     EXPECT_LE(worst_power_error(kernel, triangle, seed), 1e-12);
 }

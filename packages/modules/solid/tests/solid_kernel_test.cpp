@@ -86,9 +86,9 @@ TEST(ElasticLaw, TheStressIsTheDerivativeOfTheEnergy) {
         // The energy knows symmetric strains only.
         plus(i, j) += step / 2, plus(j, i) += step / 2;
         minus(i, j) -= step / 2, minus(j, i) -= step / 2;
-        const double slope = (strain_energy_density(law, plus, lame) -
-                              strain_energy_density(law, minus, lame)) /
-                             (2 * step);
+        const double slope =
+            (strain_energy_density(law, plus, lame) - strain_energy_density(law, minus, lame)) /
+            (2 * step);
         EXPECT_NEAR(slope, stress(i, j), 1e-5 * 1e4);
       }
   }
@@ -114,7 +114,8 @@ TEST(ElasticLaw, TheMeanStressDoesTheWorkThatTheEnergyGains) {
 TEST(ElasticLaw, SmallStrainsGiveHookesLawForBoth) {
   const LameParameters<double> lame(1e4, 0.4);
   const Tensor<double, 2> strain = green_lagrange(sheared(1e-6));
-  const auto linear = second_piola(laws[0], strain, lame), other = second_piola(laws[1], strain, lame);
+  const auto linear = second_piola(laws[0], strain, lame),
+             other = second_piola(laws[1], strain, lame);
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       EXPECT_NEAR(other(i, j), linear(i, j), 1e-5 * std::abs(linear(0, 0)));
@@ -127,9 +128,9 @@ TEST(SolidKernel, CauchyStressOfAnInflatedCell) {
   std::vector<double> displacement, zero(6, 0);
   for (const double x : triangle)
     displacement.push_back(s * x);
-  const FieldOnCell fields[] = {{zero.data(), zero.data(), zero.data(), zero.data(), zero.data()},
-                                {displacement.data(), zero.data(), zero.data(), zero.data(),
-                                 zero.data()}};
+  const FieldOnCell fields[] = {
+      {zero.data(), zero.data(), zero.data(), zero.data(), zero.data()},
+      {displacement.data(), zero.data(), zero.data(), zero.data(), zero.data()}};
   const CellInput cell{0, 0.1, triangle.data(), fields};
   double stress[3];
   kernel->evaluate(cell, stress);
