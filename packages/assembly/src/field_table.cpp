@@ -146,6 +146,15 @@ class Gathering {
       diagnostics_.error(module.location, named(module) + " is written for the field '" + use.name +
                                               "' in " + to_string(*use.basis) + ", and it is in " +
                                               to_string(entry->description.basis));
+    const Entry* const followed =
+        use.role == Role::kinematic && use.follows != nullptr ? find(use.follows) : nullptr;
+    if (followed != nullptr && followed->description.basis != entry->description.basis)
+      diagnostics_.error(module.location,
+                         named(module) + " is a structure, whose '" + use.name + "' is in " +
+                             to_string(entry->description.basis) + " and '" + use.follows +
+                             "' in " + to_string(followed->description.basis) + "; <field name=\"" +
+                             use.name + "\" basis=\"" + to_string(followed->description.basis) +
+                             "\"/> gives both the same basis");
   }
 
   std::string there_are(const std::string& wanted) const {
