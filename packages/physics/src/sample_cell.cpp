@@ -9,49 +9,35 @@
 namespace hawser {
 namespace {
 
-struct Differences {
-  std::vector<double> slope;  ///< [row][column]
-  std::vector<double> noise;  ///< the same: what round-off of the residual makes of it
-};
-
-/// Nothing when a state is not admissible.
-std::optional<Differences> central_differences(SampleCell& cell) {
-  constexpr double round_off = 1e-15;  // of a residual that is a sum of several terms
+/// [row][column]; nothing when a state is not admissible.
+std::optional<std::vector<double>> central_differences(SampleCell& cell) {
   const int n = cell.unknowns();
-  const auto size = static_cast<std::size_t>(n * n);
-  Differences result{std::vector<double>(size), std::vector<double>(size)};
-  std::vector<double> plus, minus;
+  std::vector<double> result(static_cast<std::size_t>(n * n)), plus, minus;
   for (int j = 0; j < n; ++j) {
     const double shift = 1e-5 * cell.amplitude(j);
     if (cell.residual(j, shift, plus) != CellStatus::ok ||
         cell.residual(j, -shift, minus) != CellStatus::ok)
       return std::nullopt;
-    double largest = 0;
-    for (const double value : plus)
-      largest = std::max(largest, std::abs(value));
-    for (int i = 0; i < n; ++i) {
-      const auto k = static_cast<std::size_t>(i * n + j), row = static_cast<std::size_t>(i);
-      result.slope[k] = (plus[row] - minus[row]) / (2 * shift);
-      result.noise[k] = round_off * largest / shift;
-    }
+    for (int i = 0; i < n; ++i)
+      result[static_cast<std::size_t>(i * n + j)] =
+          (plus[static_cast<std::size_t>(i)] - minus[static_cast<std::size_t>(i)]) / (2 * shift);
   }
   return result;
 }
 
 TangentBlock compare(const SampleCell& cell, std::size_t row, std::size_t column,
-                     const std::vector<double>& tangent, const Differences& differences) {
+                     const std::vector<double>& tangent, const std::vector<double>& differences) {
   TangentBlock block{row, column, 0, 0, 0};
   double size = 0, worst = -1;
   for (int i = cell.first(row); i < cell.first(row + 1); ++i)
     for (int j = cell.first(column); j < cell.first(column + 1); ++j) {
       const auto k = static_cast<std::size_t>(i * cell.unknowns() + j);
-      const double slope = differences.slope[k];
-      size = std::max({size, std::abs(tangent[k]), std::abs(slope)});
-      const double error = std::max(0.0, std::abs(tangent[k] - slope) - differences.noise[k]);
+      size = std::max({size, std::abs(tangent[k]), std::abs(differences[k])});
+      const double error = std::abs(tangent[k] - differences[k]);
       if (error <= worst) continue;
       worst = error;
       block.tangent = tangent[k];
-      block.difference = slope;
+      block.difference = differences[k];
     }
   block.error = size > 0 ? worst / size : 0;
   return block;
