@@ -1,12 +1,10 @@
 #pragma once
 // Incompressible Navier-Stokes flow on a moving mesh, at a quadrature point (theory.md, equations
 // 1-8).
-#include <algorithm>
 #include <array>
 
-#include "flow_properties.hpp"
+#include "flow_kernel.hpp"
 #include "hawser/physics/cell_metric.hpp"
-#include "hawser/physics/moving_point_kernel.hpp"
 
 namespace hawser {
 
@@ -15,29 +13,24 @@ namespace hawser {
 /// (2007) 173-201). Density, viscosity and body force are properties: whatever supplies them is
 /// felt by the stress and by the stabilisation alike.
 template <int D>
-class FluidKernel : public MovingPointKernel<FluidKernel<D>>, public FlowProperties {
+class FluidKernel : public FlowKernel<FluidKernel<D>, D> {
  public:
-  static constexpr int dimension = D;
   static constexpr int memory = D;  // the subscale velocity, m/s
   static constexpr std::array<FieldUse, 3> uses = {
       StandardFields<D>::velocity.only(Basis::p1).as(Role::adds,
                                                      need::value | need::rate | need::gradient),
       StandardFields<D>::pressure.only(Basis::p1).as(Role::adds, need::value | need::gradient),
       StandardFields<D>::displacement.as(Role::reads_if_solved, need::rate | need::gradient)};
-  static constexpr std::array<PropertyUse, 4> properties = {
-      property::density, property::viscosity, property::eddy_viscosity, property::body_force<D>};
-  static constexpr Slot<0> velocity{};
-  static constexpr Slot<1> pressure{};
-  static constexpr Slot<2> displacement{};
-  static constexpr PropertySlot<3> body_force{};
-
-  using MovingPointKernel<FluidKernel>::MovingPointKernel;
+  using Base = FlowKernel<FluidKernel, D>;
+  using Base::Base;
+  using Base::velocity, Base::pressure, Base::body_force, Base::density, Base::viscosity,
+      Base::eddy_viscosity;
 
   template <class Point, class Form>
   void moved_form(const Point& at, Form& out) const {
     using T = typename Point::Number;
     const auto& rho = at[density];
-    const auto mu = total_viscosity(at);
+    const auto mu = Base::total_viscosity(at);
     const auto v = at[velocity];
     const Balance<T> balance = balance_at<T>(at);
     const T mean_stress = rho * balance.continuity_scale * trace(v.gradient) - at[pressure].value;
@@ -65,51 +58,17 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D>>, public FlowPropert
       next[i] = balance.subscale[i];
   }
 
-  std::vector<EnergyTerm> energy_terms() const override {
-    using Kind = EnergyTerm::Kind;
-    return {{"flow kinetic", Kind::stored},
-            {"body force", Kind::supplied},
-            {"flow", Kind::transported},
-            {"viscosity", Kind::dissipated},
-            {"stabilisation", Kind::numerical}};
+  /// What the pressure does on a divergence that the subscales leave belongs to the stabilisation.
+  template <class Point>
+  double numerical_power(const Point& at) const {
+    const double rho = at[density];
+    const auto v = at[velocity];
+    const Balance<double> balance = balance_at<double>(at);
+    const double divergence = trace(v.gradient);
+    const Vector<double, D> convected = multiply(v.gradient, balance.convection);
+    return (rho * balance.continuity_scale * divergence - at[pressure].value) * divergence +
+           rho * (dot(v.value, balance.subscale_rate) - dot(balance.subscale, convected));
   }
-  /// theory.md, "Energy". What the pressure does on a divergence that the subscales leave belongs
-  /// to the stabilisation.
-  void powers(const CellInput& cell, double* powers) const override {
-    std::fill(powers, powers + 5, 0.0);
-    this->at_moved_points(cell, [&](const auto& at, double weight, double expansion) {
-      const double rho = at[density];
-      const double mu = total_viscosity(at);
-      const auto v = at[velocity];
-      const Balance<double> balance = balance_at<double>(at);
-      const double divergence = trace(v.gradient);
-      double kinetic = 0.5 * rho * dot(v.value, v.value) * expansion;
-      double force = 0, carried = -kinetic, viscous = 0;
-      double numerical =
-          (rho * balance.continuity_scale * divergence - at[pressure].value) * divergence;
-      for (int i = 0; i < D; ++i) {
-        kinetic += rho * v.value[i] * v.rate[i];
-        force -= rho * v.value[i] * at[body_force][i];
-        numerical += rho * v.value[i] * balance.subscale_rate[i];
-        for (int j = 0; j < D; ++j) {
-          carried += rho * v.value[i] * v.gradient(i, j) * balance.convection[j];
-          viscous += mu * (v.gradient(i, j) + v.gradient(j, i)) * v.gradient(i, j);
-          numerical -= rho * balance.subscale[i] * balance.convection[j] * v.gradient(i, j);
-        }
-      }
-      const double terms[] = {kinetic, force, carried, viscous, numerical};
-      for (int k = 0; k < 5; ++k)
-        powers[k] += weight * terms[k];
-    });
-  }
-  void energies(const CellInput& cell, double* energies) const override {
-    std::fill(energies, energies + 5, 0.0);
-    this->at_moved_points(cell, [&](const auto& at, double weight, double /*expansion*/) {
-      energies[0] += weight * 0.5 * at[density] * dot(at[velocity].value, at[velocity].value);
-    });
-  }
-
-  std::vector<double> sample_amplitudes() const override { return {1.0, 100.0, 0.05}; }
 
  private:
   template <class T>
@@ -128,10 +87,8 @@ class FluidKernel : public MovingPointKernel<FluidKernel<D>>, public FlowPropert
     const auto& rho = at[density];
     const auto v = at[velocity];
     const auto p = at[pressure];
-    const auto d = at[displacement];
     Balance<T> result;
-    for (int i = 0; i < D; ++i)
-      result.convection[i] = v.value[i] - d.rate[i];
+    result.convection = Base::template convection<T>(at);
     const Vector<T, D> convected = multiply(v.gradient, result.convection);
     const Scales<T> tau = time_scales<T>(at, result.convection);
     result.continuity_scale = tau.continuity;

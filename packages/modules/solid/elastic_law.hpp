@@ -43,6 +43,27 @@ Tensor<T, D> green_lagrange(const Tensor<T, D>& displacement_gradient) {
   return strain;
 }
 
+/// C = F^T F = I + 2 E.
+template <class T, int D>
+Tensor<T, D> right_cauchy_green(const Tensor<T, D>& strain) {
+  Tensor<T, D> right;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j)
+      right(i, j) = 2.0 * strain(i, j);
+    right(i, i) += 1.0;
+  }
+  return right;
+}
+
+/// A : B.
+template <class A, class B, int D>
+Product<A, B> contract(const Tensor<A, D>& a, const Tensor<B, D>& b) {
+  Product<A, B> sum = a(0, 0) * b(0, 0);
+  for (int k = 1; k < D * D; ++k)
+    sum += a(k / D, k % D) * b(k / D, k % D);
+  return sum;
+}
+
 /// Second Piola-Kirchhoff stress, Pa, at the strain E.
 ///   St Venant and Kirchhoff:  S = lambda tr(E) I + 2 mu E
 ///   neo-Hooke:                S = mu (I - C^-1) + lambda ln(J) C^-1
@@ -60,12 +81,7 @@ Tensor<T, D> second_piola(ElasticLaw law, const Tensor<T, D>& strain,
     return stress;
   }
   using std::log;
-  Tensor<T, D> right;  // C
-  for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j)
-      right(i, j) = 2.0 * strain(i, j);
-    right(i, i) += 1.0;
-  }
+  const Tensor<T, D> right = right_cauchy_green(strain);
   const T squared = determinant(right);  // J^2
   const Tensor<T, D> adjoint = adjugate(right);
   const T factor = (0.5 * lame.first * log(squared) - lame.shear) / squared;
@@ -81,21 +97,10 @@ Tensor<T, D> second_piola(ElasticLaw law, const Tensor<T, D>& strain,
 template <class T, class P, int D>
 T strain_energy_density(ElasticLaw law, const Tensor<T, D>& strain, const LameParameters<P>& lame) {
   const T volume_change = trace(strain);
-  if (law == ElasticLaw::st_venant_kirchhoff) {
-    T squares = strain(0, 0) * strain(0, 0);
-    for (int i = 0; i < D; ++i)
-      for (int j = i == 0 ? 1 : 0; j < D; ++j)
-        squares += strain(i, j) * strain(i, j);
-    return 0.5 * lame.first * volume_change * volume_change + lame.shear * squares;
-  }
+  if (law == ElasticLaw::st_venant_kirchhoff)
+    return 0.5 * lame.first * volume_change * volume_change + lame.shear * contract(strain, strain);
   using std::log;
-  Tensor<T, D> right;
-  for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j)
-      right(i, j) = 2.0 * strain(i, j);
-    right(i, i) += 1.0;
-  }
-  const T log_volume = 0.5 * log(determinant(right));
+  const T log_volume = 0.5 * log(determinant(right_cauchy_green(strain)));
   return lame.shear * (volume_change - log_volume) + 0.5 * lame.first * log_volume * log_volume;
 }
 
@@ -106,22 +111,19 @@ template <class T, class P, int D>
 Tensor<T, D> mean_stress(ElasticLaw law, const Tensor<double, D>& before, const Tensor<T, D>& after,
                          const LameParameters<P>& lame) {
   Tensor<T, D> middle, change, start;
-  T squared = 0.0;
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) {
       start(i, j) = before(i, j);
       middle(i, j) = 0.5 * (before(i, j) + after(i, j));
       change(i, j) = after(i, j) - before(i, j);
-      squared += change(i, j) * change(i, j);
     }
   Tensor<T, D> stress = second_piola(law, middle, lame);
   // The rest is of third order in the change: below this it is lost in round-off.
   constexpr double negligible = 1e-14;
+  const T squared = contract(change, change);
   if (law == ElasticLaw::st_venant_kirchhoff || squared < negligible) return stress;
-  T gain = strain_energy_density(law, after, lame) - strain_energy_density(law, start, lame);
-  for (int i = 0; i < D; ++i)
-    for (int j = 0; j < D; ++j)
-      gain -= stress(i, j) * change(i, j);
+  const T gain = strain_energy_density(law, after, lame) - strain_energy_density(law, start, lame) -
+                 contract(stress, change);
   const T factor = gain / squared;
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j)

@@ -100,16 +100,9 @@ class SolidKernel : public PointKernel<SolidKernel<D>> {
       const auto v = at[velocity];
       const auto rate = strain_rate(deformation(at[displacement].gradient), v.gradient);
       const auto stress = elastic_stress(at);
-      double strain = 0, internal = 0, force = 0;
-      for (int i = 0; i < D; ++i) {
-        force -= rho * at[body_force][i] * v.value[i];
-        for (int j = 0; j < D; ++j) {
-          strain += stress(i, j) * rate(i, j);
-          internal += solid_.viscosity * rate(i, j) * rate(i, j);
-        }
-      }
-      const double terms[] = {rho * dot(v.value, v.rate), strain, force, internal,
-                              rho * solid_.damping * dot(v.value, v.value)};
+      const double terms[] = {
+          rho * dot(v.value, v.rate), contract(stress, rate), -rho * dot(at[body_force], v.value),
+          solid_.viscosity * contract(rate, rate), rho * solid_.damping * dot(v.value, v.value)};
       for (int k = 0; k < 5; ++k)
         powers[k] += weight * terms[k];
     });
