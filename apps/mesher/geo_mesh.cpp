@@ -6,32 +6,28 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "hawser/deck/diagnostics.hpp"
+
 namespace hawser::mesher {
 namespace {
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names)
-    text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "none" : text;
-}
-
-/// Calls something of gmsh on the file; what it throws becomes one sentence.
+/// Calls something of gmsh on the file; what it complains of becomes one sentence.
 template <class Action>
 void with_gmsh(const std::string& file, Action&& action) {
+  // What gmsh 4.8 throws within its threads ends the program: it is to go on, and is asked then.
+  gmsh::option::setNumber("General.AbortOnError", 0);
+  gmsh::logger::start();
   std::string error;
   try {
-    gmsh::logger::start();
     action();
-    return;
+    gmsh::logger::getLastError(error);
+    if (error.empty()) return;
   } catch (const std::runtime_error& thrown) {
     error = thrown.what();
-  } catch (const std::string& thrown) {  // as gmsh 4.8 does
+  } catch (const std::string& thrown) {  // as calls of gmsh 4.8 do
     error = thrown;
-  } catch (...) {
-    gmsh::logger::getLastError(error);
   }
-  throw std::runtime_error(file + ": " + (error.empty() ? "gmsh failed without a word" : error));
+  throw std::runtime_error(file + ": " + error);
 }
 
 /// The constants that the file has by DefineConstant. Names with a path are gmsh's own.
@@ -49,27 +45,13 @@ std::vector<std::string> defined_in(const std::string& file) {
 
 }  // namespace
 
-std::pair<std::string, double> read_number(const std::string& text) {
-  const auto equals = text.find('=');
-  std::size_t used = 0;
-  double value = 0;
-  try {
-    if (equals != std::string::npos) value = std::stod(text.substr(equals + 1), &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  if (equals == 0 || equals == std::string::npos || equals + 1 + used != text.size())
-    throw std::invalid_argument("'" + text + "' is no NAME=NUMBER");
-  return {text.substr(0, equals), value};
-}
-
 MeshSummary mesh_geo(const GeoOptions& options) {
   if (!std::ifstream(options.file)) throw std::runtime_error("cannot read " + options.file);
   const std::vector<std::string> names = defined_in(options.file);
   for (const auto& [name, value] : options.numbers)
     if (std::find(names.begin(), names.end(), name) == names.end())
       throw std::runtime_error(options.file + " has no constant '" + name + "'; there are " +
-                               listed(names));
+                               listed(names) + did_you_mean(name, names));
   const GmshSession gmsh;
   with_gmsh(options.file, [&] {
     // DefineConstant takes what is known already.

@@ -14,9 +14,6 @@ struct GeoOptions {
   std::string output;
 };
 
-/// "size=0.02"; std::invalid_argument with one sentence.
-std::pair<std::string, double> read_number(const std::string& text);
-
 /// Meshes the plane and writes MSH 4.1. std::runtime_error with one sentence: what gmsh says of the
 /// file, or which of the numbers the file does not define.
 MeshSummary mesh_geo(const GeoOptions& options);

@@ -7,7 +7,7 @@
 //   hawser_mesher --box -4369.35 -5500 4369.35 4348.6 --cable 0 0 0 -420
 //       --cable-size 10 --far-size 500 --growth .15 --output tow.msh
 //   hawser_mesher --box 0 0 1 1 --no-cable --structured 8 8 --flow-direction=+x --output square.msh
-//   hawser_mesher --geo flag.geo --number size=.02 --output flag.msh
+//   hawser_mesher --geo flag.geo --number size .02 --output flag.msh
 //
 // Physical groups of a box: the surface "water"; the lines "inflow" and "outflow" (across the
 // flow), "sides" (along it), "left", "right", "bottom", "top" (the same lines by place), "cable";
@@ -41,13 +41,13 @@ int exit_code(hawser::ExitCode code) { return static_cast<int>(code); }
 int main(int argc, char** argv) {
   BoxOptions options;
   hawser::mesher::GeoOptions geo;
-  std::vector<std::string> numbers;
   std::vector<double> box, cable;
   std::vector<int> structured;
   CLI::App app{
       "Meshes a box of water, with or without a cable in it, or a .geo file (lengths in m)."};
   auto* of_geo = app.add_option("--geo", geo.file, "a geometry in gmsh's language, in the plane");
-  app.add_option("--number", numbers, "NAME=VALUE of a constant of the geometry")->needs(of_geo);
+  app.add_option("--number", geo.numbers, "name and value of a constant of the geometry")
+      ->needs(of_geo);
   auto* of_box = app.add_option("--box", box, "xmin ymin xmax ymax")->expected(4)->excludes(of_geo);
   auto* with = app.add_option("--cable", cable, "x0 y0 x1 y1: tow point, tail")->expected(4);
   auto* without = app.add_flag("--no-cable", "water only")->excludes(with);
@@ -80,8 +80,6 @@ int main(int argc, char** argv) {
   if (!structured.empty()) options.structured = {structured[0], structured[1]};
   try {
     if (of_geo->empty()) check(options);
-    for (const std::string& number : numbers)
-      geo.numbers.push_back(hawser::mesher::read_number(number));
     geo.refinements = options.refinements;
     geo.output = options.output;
     const auto summary = of_geo->empty() ? mesh_box(options) : mesh_geo(geo);

@@ -102,7 +102,7 @@ std::string generate_mesh(const Communicator& communicator, const GeoMesh& geo,
   std::vector<std::string> arguments = {"--geo=" + file, "--refinements",
                                         std::to_string(geo.refinements), "--output=" + path};
   for (const GeoMesh::Number& number : geo.numbers)
-    arguments.push_back("--number=" + number.name + "=" + text(number.value));
+    arguments.insert(arguments.end(), {"--number", number.name, text(number.value)});
   return run_mesher(communicator, arguments);
 }
 

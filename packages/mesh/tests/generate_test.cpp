@@ -91,6 +91,48 @@ TEST(Generate, TheSameAgain) {
                          std::istreambuf_iterator<char>(twice), end));
 }
 
+GeoMesh square() {
+  std::ofstream("square.geo") << R"(DefineConstant[ length = {1, Name "length"} ];
+    Point(1) = {0, 0, 0, length/4}; Point(2) = {length, 0, 0, length/4};
+    Point(3) = {length, length, 0, length/4}; Point(4) = {0, length, 0, length/4};
+    Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+    Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+    Physical Surface("water") = {1}; Physical Curve("wall") = {1, 2, 3, 4};)";
+  return {};
+}
+
+TEST(Generate, AGeometryWithNumbersFromTheDeck) {
+  GeoMesh geo = square();
+  geo.numbers.push_back({"length", 3});
+  geo.refinements = 1;
+  generate_mesh(Communicator(), geo, "square.geo", "square.msh");
+  const Mesh mesh = read_mesh(Communicator(), {"square.msh", {}, 2, {}});
+  const auto [least, largest] =
+      std::minmax_element(mesh.coordinates.begin(), mesh.coordinates.end());
+  EXPECT_DOUBLE_EQ(*least, 0);
+  EXPECT_DOUBLE_EQ(*largest, 3);
+  EXPECT_EQ(mesh.region("wall").size(), 32);  // four times four edges, halved
+}
+
+TEST(Generate, WhatIsWrongWithAGeometryIsTold) {
+  GeoMesh geo = square();
+  const auto refused = [&](const std::string& file, const std::string& sentence) {
+    EXPECT_THAT([&] { generate_mesh(Communicator(), geo, file, "no.msh"); },
+                testing::ThrowsMessage<MeshError>(testing::HasSubstr(sentence)));
+  };
+  geo.numbers.push_back({"lenght", 2});
+  refused("square.geo",
+          "square.geo has no constant 'lenght'; there are length; did you mean 'length'?");
+  refused("sqare.geo", "cannot read sqare.geo");
+  geo.numbers = {{"length", -3}};  // gmsh throws that where nobody can catch it
+  refused("square.geo", "Wrong mesh element size");
+  geo.numbers.clear();
+  std::ofstream("broken.geo") << "Point(1) = {0, 0";
+  refused("broken.geo", "syntax error");
+  std::ofstream("empty.geo") << "Point(1) = {0, 0, 0};\n";
+  refused("empty.geo", "makes no triangles");
+}
+
 void expect_refused(const TowBox& box, const std::string& path, const std::string& sentence) {
   EXPECT_THAT([&] { generate_mesh(Communicator(), box, path); },
               testing::ThrowsMessage<MeshError>("hawser_mesher: " + sentence));
