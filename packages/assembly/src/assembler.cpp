@@ -79,7 +79,7 @@ struct Assembler::Implementation {
       const LocalIndex first = velocity < 0 ? -1 : dofs->first_row(velocity, info.kind, info.point);
       if (first < 0)
         throw DeckError("a structure's '" + field.name + "' needs the field '" + field.follows +
-                        "' at the same nodes: give both the same basis");
+                        "' at the same nodes");
       pairs.push_back({row, first + info.component});
     }
   }

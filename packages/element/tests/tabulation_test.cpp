@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <type_traits>
+
+#include "hawser/element/cell_geometry.hpp"
 
 namespace hawser {
 namespace {
@@ -98,6 +101,34 @@ TEST(Quadrature, IntegratesPolynomialsOfItsDegreeExactly) {
   EXPECT_NEAR(integral(CellShape::tetrahedron, 5, f), 12.0 / 40320, 1e-15);
   EXPECT_NEAR(integral(CellShape::quadrilateral, 3, f), 1.0 / 12, 1e-15);  // degree per direction
   EXPECT_NEAR(integral(CellShape::hexahedron, 3, f), 1.0 / 12, 1e-15);
+}
+
+// The facet's area vector times the weights is the facet, seen from outside: the flux of x - x0
+// through it is D times the volume of the cone over it to x0, a vertex that it does not have.
+TEST(FacetQuadrature, IsOfTheFacetAndItsNormalPointsOutward) {
+  const auto flux = [](auto dimension, CellShape shape, const std::vector<double>& X) {
+    constexpr int D = decltype(dimension)::value;
+    const CellTabulation table = tabulate_cell({}, facet_quadrature(shape, 2));
+    CellGeometry<D> geometry;
+    geometry.enter(table, X.data());
+    double sum = 0;
+    for (int q = 0; q < table.rule.points; ++q) {
+      geometry.go_to(q, table, X.data());
+      const Vector<double, D> normal = geometry.facet();
+      for (int j = 0; j < D; ++j)
+        sum += table.rule.weights[static_cast<std::size_t>(q)] * normal[j] *
+               (geometry.position[j] - X[X.size() - D + static_cast<std::size_t>(j)]);
+    }
+    return sum;
+  };
+  EXPECT_NEAR(flux(std::integral_constant<int, 2>(), CellShape::triangle, {0, 0, 4, 1, 1, 3}), 11,
+              1e-13);  // twice the area
+  EXPECT_NEAR(
+      flux(std::integral_constant<int, 2>(), CellShape::quadrilateral, {0, 0, 4, 0, 4, 2, 0, 2}), 8,
+      1e-13);
+  EXPECT_NEAR(flux(std::integral_constant<int, 3>(), CellShape::tetrahedron,
+                   {0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 4}),
+              12, 1e-13);  // three times the volume
 }
 
 TEST(Tabulation, ThereAreNoShapeFunctionsOnAPoint) {

@@ -27,6 +27,14 @@ void detail::check_size(const Kernel& kernel, const CellTabulation& table) {
                       " and " + std::to_string(max_nodes));
 }
 
+void detail::check_domain(const Kernel& kernel, bool on_facets) {
+  if (on_facets == (kernel.domain().kind == Domain::Kind::facets)) return;
+  throw PluginError("a kernel on '" + kernel.domain().text() + "' " +
+                    (on_facets
+                         ? "is one on_facets and needs a Domain::facets(...)"
+                         : "is written for cells; one for their facets says on_facets = true"));
+}
+
 CellTabulation detail::at_vertices(const Kernel& kernel, CellShape shape) {
   const ShapeTraits& of = traits(shape);
   if (of.dimension != kernel.dimension())

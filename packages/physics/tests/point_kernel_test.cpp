@@ -92,5 +92,11 @@ TEST(PointKernel, TooManyUnknownsAreAnError) {
                   "on 'body' has 200 unknowns and up to 200 nodes per cell; there is room for")));
 }
 
+TEST(PointKernel, FacetsAreForKernelsThatSayThatTheyAre) {
+  ScalarKernel<2> kernel(Domain::facets("wall"));
+  EXPECT_THAT([&] { kernel.bind(shapes(CellShape::triangle, {Basis::p1}, 2)); },
+              testing::ThrowsMessage<PluginError>(testing::HasSubstr("on_facets = true")));
+}
+
 }  // namespace
 }  // namespace hawser

@@ -17,7 +17,7 @@ class ScalarKernel : public PointKernel<ScalarKernel<D>> {
   static constexpr std::array<FieldUse, 1> uses = {
       temperature.as(Role::adds, need::value | need::rate | need::gradient)};
   static constexpr Slot<0> field{};
-  ScalarKernel() : PointKernel<ScalarKernel>("body") {}
+  explicit ScalarKernel(Domain domain = "body") : PointKernel<ScalarKernel>(std::move(domain)) {}
 
   template <class Point, class Form>
   void weak_form(const Point& at, Form& out) const {

@@ -18,6 +18,9 @@ namespace hawser {
 namespace detail {
 /// PluginError when the cell's unknowns do not fit into the arrays that the loop has on its stack.
 void check_size(const Kernel& kernel, const CellTabulation& table);
+/// PluginError when a kernel that is not `on_facets` has a domain of facets, or the other way
+/// round: its weights would be others.
+void check_domain(const Kernel& kernel, bool on_facets);
 }  // namespace detail
 
 // NOLINTNEXTLINE(readability-identifier-naming): a sentence of the compiler's message
@@ -70,6 +73,7 @@ class PointKernel : public Kernel, public PointFields<Derived> {
   std::vector<CellShape> shapes() const override { return body_shapes(Derived::dimension); }
 
   void bind(const CellTabulation& table) override {
+    detail::check_domain(*this, Derived::on_facets);
     detail::check_size(*this, table);
     this->table_ = table;
     own_properties().bind(table, fields());
