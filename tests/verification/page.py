@@ -5,7 +5,7 @@ python3 tests/verification/page.py --check    # exit code 1 when the committed p
 
 Sources: build/tests/figures/*.json (tests/support/figure.hpp), and the folders of the tests of decks in
 build/tests/run: converge.json of `hawser converge`, the expectations in summary.json of `hawser run`. Only tests that
-ctest knows count. A row is not stale when its test was not run here, and its number may differ within the tolerance.
+ctest knows count. A row whose test was not run here stays as it is, and its number may differ within the tolerance.
 """
 import argparse
 import json
@@ -81,40 +81,57 @@ def converged(build, tests):
     return found
 
 
-def table(rows):
+def kept(text, rows, tests):
+    """{section: [(name, line)]} of the page's rows whose test is known and did not run here, such as a slow one."""
+    ran = {row["command"] for row in rows}
+    lines, section = {}, ""
+    for line in text.splitlines():
+        section = line[3:] if line.startswith("## ") else section
+        match = re.match(r"\| <!-- (\S+) -->.*\| `(.*-R '(.*)')` \|$", line)
+        if match and match.group(2) not in ran and any(re.search(match.group(3), test) for test in tests):
+            lines.setdefault(section, []).append((match.group(1), line))
+    return lines
+
+
+def table(rows, others):
     lines = ["| figure | value | reference | allowed | why | command |", "|---|---|---|---|---|---|"]
+    named = list(others)
     for row in rows:
         unit = "" if row["unit"] in ("", "1") else " " + row["unit"]
         allowed = {"within": "± ", "at-least": "at least − ", "at-most": "at most + "}[row["is"]] + number(row["tolerance"])
-        lines.append(f"| <!-- {row['name']} -->{row['what']} | {number(row['value'])}{unit} | {number(row['reference'])}"
-                     f" | {allowed} | {row['source']} | `{row['command']}` |")
-    return "\n".join(lines) + "\n"
+        named.append((row["name"], f"| <!-- {row['name']} -->{row['what']} | {number(row['value'])}{unit}"
+                      f" | {number(row['reference'])} | {allowed} | {row['source']} | `{row['command']}` |"))
+    return "\n".join(lines + [line for _, line in sorted(named)]) + "\n"
 
 
-def order_table(studies):
+def order_table(studies, others):
     lines = ["| study | order, finest pair | fitted | asked for | why | command |", "|---|---|---|---|---|---|"]
+    named = list(others)
     for row, _ in studies:
-        lines.append(f"| <!-- {row['name']} -->{row['what']} | {row['value']:.3f} | {row['fitted']:.3f} ± {row['error']:.3f}"
-                     f" | ≥ {number(row['reference'])} | {row['source']} | `{row['command']}` |")
-    return "\n".join(lines) + "\n"
+        named.append((row["name"], f"| <!-- {row['name']} -->{row['what']} | {row['value']:.3f}"
+                      f" | {row['fitted']:.3f} ± {row['error']:.3f} | ≥ {number(row['reference'])} | {row['source']}"
+                      f" | `{row['command']}` |"))
+    return "\n".join(lines + [line for _, line in sorted(named)]) + "\n"
 
 
-def page(rows, studies):
-    parts = [HEAD, "\n## Orders of accuracy\n\nErrors against manufactured solutions "
+ORDERS = "Orders of accuracy"
+
+
+def page(rows, studies, others):
+    """The text; `others` are kept()."""
+    pictures = {name: result["title"] for _, (name, result) in studies}
+    for name, line in others.get(ORDERS, []):
+        pictures[name.rpartition(".")[0]] = line.split(" | ")[0].split("-->")[1].rpartition(": ")[0]
+    parts = [HEAD, f"\n## {ORDERS}\n\nErrors against manufactured solutions "
              "(`inputs/verification`; `hawser converge`), on meshes that move. The fitted order is that of least squares "
-             "over all levels, with its standard error.\n\n", order_table(studies), "\n"]
-    drawn = []
-    for _, (name, result) in studies:
-        if name not in drawn:
-            drawn.append(name)
-            parts.append(f"![{result['title']}](images/{name}.svg)\n")
+             "over all levels, with its standard error.\n\n", order_table(studies, others.get(ORDERS, [])), "\n"]
+    parts += [f"![{title}](images/{name}.svg)\n" for name, title in sorted(pictures.items())]
     sections = {}
     for row in rows:
-        sections.setdefault(row["section"], []).append(row)
-    for section in sorted(sections, key=lambda s: (s != "Orders of accuracy", s)):
-        title = "Further orders" if section == "Orders of accuracy" else section
-        parts.append(f"\n## {title}\n\n{table(sections[section])}")
-    return "".join(parts), drawn
+        sections.setdefault("Further orders" if row["section"] == ORDERS else row["section"], []).append(row)
+    for section in sorted({*sections, *others} - {ORDERS}, key=lambda s: (s != "Further orders", s)):
+        parts.append(f"\n## {section}\n\n{table(sections.get(section, []), others.get(section, []))}")
+    return "".join(parts)
 
 
 def stale(text, rows):
@@ -151,12 +168,13 @@ def main():
                    if name.split(".")[0] not in stems]
         sys.exit("\n".join([*faults, "python3 tests/verification/page.py writes the page anew"]) if faults else 0)
     from convergence_figure import draw
-    text, drawn = page(rows, studies)
+    others = kept(PAGE.read_text(), rows + [row for row, _ in studies], tests)
     results = {name: result for _, (name, result) in studies}
-    for name in drawn:
-        draw(results[name], ROOT / "doc/images" / name, picture=False)
-    PAGE.write_text(text)
-    print(f"{PAGE}: {len(rows) + len(studies)} figures, {len(drawn)} plots")
+    for name, result in results.items():
+        draw(result, ROOT / "doc/images" / name, picture=False)
+    PAGE.write_text(page(rows, studies, others))
+    print(f"{PAGE}: {len(rows) + len(studies)} figures, {len(results)} plots; "
+          f"{sum(map(len, others.values()))} rows of tests not run here stay")
 
 
 if __name__ == "__main__":
