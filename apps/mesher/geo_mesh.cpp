@@ -3,6 +3,7 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -30,6 +31,18 @@ void with_gmsh(const std::string& file, Action&& action) {
   throw std::runtime_error(file + ": " + error);
 }
 
+void check_text(const std::string& file) {
+  std::ifstream text(file, std::ios::binary | std::ios::ate);
+  if (!text || !std::filesystem::is_regular_file(file))
+    throw std::runtime_error("cannot read " + file);
+  char last = '\n';
+  if (text.tellg() > 0 && text.seekg(-1, std::ios::end)) text.get(last);
+  if (last != '\n')
+    throw std::runtime_error(file +
+                             " ends without a line break, and gmsh overlooks the last "
+                             "statement of such a file; end the line");
+}
+
 /// The constants that the file has by DefineConstant. Names with a path are gmsh's own.
 std::vector<std::string> defined_in(const std::string& file) {
   const GmshSession gmsh;
@@ -46,7 +59,7 @@ std::vector<std::string> defined_in(const std::string& file) {
 }  // namespace
 
 MeshSummary mesh_geo(const GeoOptions& options) {
-  if (!std::ifstream(options.file)) throw std::runtime_error("cannot read " + options.file);
+  check_text(options.file);
   const std::vector<std::string> names = defined_in(options.file);
   for (const auto& [name, value] : options.numbers)
     if (std::find(names.begin(), names.end(), name) == names.end())

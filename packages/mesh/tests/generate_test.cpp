@@ -97,7 +97,8 @@ GeoMesh square() {
     Point(3) = {length, length, 0, length/4}; Point(4) = {0, length, 0, length/4};
     Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
     Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
-    Physical Surface("water") = {1}; Physical Curve("wall") = {1, 2, 3, 4};)";
+    Physical Surface("water") = {1}; Physical Curve("wall") = {1, 2, 3, 4};
+)";
   return {};
 }
 
@@ -105,13 +106,17 @@ TEST(Generate, AGeometryWithNumbersFromTheDeck) {
   GeoMesh geo = square();
   geo.numbers.push_back({"length", 3});
   geo.refinements = 1;
-  generate_mesh(Communicator(), geo, "square.geo", "square.msh");
-  const Mesh mesh = read_mesh(Communicator(), {"square.msh", {}, 2, {}});
-  const auto [least, largest] =
-      std::minmax_element(mesh.coordinates.begin(), mesh.coordinates.end());
-  EXPECT_DOUBLE_EQ(*least, 0);
-  EXPECT_DOUBLE_EQ(*largest, 3);
-  EXPECT_EQ(mesh.region("wall").size(), 32);  // four times four edges, halved
+  const Communicator all;
+  generate_mesh(all, geo, "square.geo", "square.msh");
+  const Mesh mesh = read_mesh(all, {"square.msh", {}, 2, {}});
+  double largest = 0;
+  for (const double x : mesh.coordinates)
+    largest = std::max(largest, x);
+  EXPECT_DOUBLE_EQ(all.max(largest), 3);
+  const Region& wall = mesh.region("wall");
+  EXPECT_EQ(all.sum(static_cast<long long>(
+                std::count(wall.cell_owners.begin(), wall.cell_owners.end(), all.rank()))),
+            32);  // four times four edges, halved
 }
 
 TEST(Generate, WhatIsWrongWithAGeometryIsTold) {
@@ -127,8 +132,10 @@ TEST(Generate, WhatIsWrongWithAGeometryIsTold) {
   geo.numbers = {{"length", -3}};  // gmsh throws that where nobody can catch it
   refused("square.geo", "Wrong mesh element size");
   geo.numbers.clear();
-  std::ofstream("broken.geo") << "Point(1) = {0, 0";
+  std::ofstream("broken.geo") << "Point(1) = {0, 0\n";
   refused("broken.geo", "syntax error");
+  std::ofstream("open.geo") << "Point(1) = {0, 0, 0};";
+  refused("open.geo", "open.geo ends without a line break");
   std::ofstream("empty.geo") << "Point(1) = {0, 0, 0};\n";
   refused("empty.geo", "makes no triangles");
 }
