@@ -42,7 +42,7 @@ class SolidKernel : public PointKernel<SolidKernel<D>> {
     out.inverted = !(determinant(F) > 0.0);
     if (out.inverted) return;
     const auto& rho = at[density];
-    const auto v = at[velocity];
+    const auto& v = at[velocity];
     for (int i = 0; i < D; ++i)
       out[velocity].source[i] = rho * (v.rate[i] + solid_.damping * v.value[i] - at[body_force][i]);
     auto stress = elastic_stress(at);
@@ -97,7 +97,7 @@ class SolidKernel : public PointKernel<SolidKernel<D>> {
     std::fill(powers, powers + 5, 0.0);
     this->at_points(cell, [&](const auto& at, double weight, int /*q*/, const auto& /*shapes*/) {
       const double rho = at[density];
-      const auto v = at[velocity];
+      const auto& v = at[velocity];
       const auto rate = strain_rate(deformation(at[displacement].gradient), v.gradient);
       const auto stress = elastic_stress(at);
       const double terms[] = {

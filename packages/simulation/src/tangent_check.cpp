@@ -87,7 +87,7 @@ std::string line_of(const Kernel& kernel, const Worst& worst, int dimension) {
     double mean = 0;
     for (std::size_t v = j; v < worst.coordinates.size(); v += per_vertex)
       mean += worst.coordinates[v];
-    mean /= static_cast<double>(worst.coordinates.size() / per_vertex);
+    mean /= static_cast<double>(worst.coordinates.size()) / static_cast<double>(per_vertex);
     place += fmt::format("{}{:.4g}", j == 0 ? "" : ", ", mean);
   }
   const TangentBlock& block = worst.block;
