@@ -160,14 +160,15 @@ std::size_t open_element(const std::string& text, std::size_t end) {
       return true;
     };
     if (skip("<!--", "-->") || skip("<![CDATA[", "]]>") || skip("<?", "?>")) continue;
-    if (text[at + 1] == '/' && text.find('>', at) < end && !open.empty()) open.pop_back();
-    if (text[at + 1] != '/') open.push_back(at + 1);
+    const bool ends = text[at + 1] == '/';
+    if (ends && text.find('>', at) < end && !open.empty()) open.pop_back();
+    if (!ends) open.push_back(at + 1);
     for (char quote = 0; at < text.size() && (quote != 0 || text[at] != '>'); ++at)
       if (text[at] == quote)
         quote = 0;
       else if (quote == 0 && (text[at] == '"' || text[at] == '\''))
         quote = text[at];
-    if (at < text.size() && text[at - 1] == '/') open.pop_back();
+    if (!ends && at < text.size() && text[at - 1] == '/') open.pop_back();
   }
   return open.empty() ? std::string::npos : open.back();
 }

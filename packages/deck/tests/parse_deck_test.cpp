@@ -66,6 +66,10 @@ TEST(ParseDeck, MalformedXmlIsThrownWithItsPlace) {
             "thrown d.xml:3:3: the end tag does not match the element that is open: <b> of line 2");
   EXPECT_EQ(faults_of("<a>\n<b/>\n"),
             "thrown d.xml:3:1: the deck ends before all its elements are closed: <a> of line 1");
+  EXPECT_EQ(faults_of("<a>\n</b/>"),
+            "thrown d.xml:2:3: the end tag does not match the element that is open: <a> of line 1");
+  EXPECT_EQ(faults_of("</b/>"),
+            "thrown d.xml:1:3: the end tag does not match the element that is open");
   EXPECT_EQ(faults_of("<a>\n<!-- <x> --><b c='>'/><d></d\n><e f=\"/>\">\n</a>"),
             "thrown d.xml:4:3: the end tag does not match the element that is open: <e> of line 3");
   EXPECT_EQ(faults_of("<a>\n<b c=1/></a>"),
