@@ -10,6 +10,7 @@
 #include "src/line_report.hpp"
 #include "src/point_report.hpp"
 #include "src/probe_report.hpp"
+#include "src/statistics_report.hpp"
 
 namespace hawser {
 
@@ -23,6 +24,7 @@ void register_reports(ReportRegistry& registry) {
   registry.add<ExtremeReport>();
   registry.add<PointReport>();
   registry.add<LineReport>();
+  registry.add<StatisticsReport>();
 }
 
 std::vector<NodeSpec> ReportRegistry::specs(const std::string& parent) const {

@@ -30,6 +30,25 @@ Reports::Reports(const std::vector<PlannedReport>& planned, const ReportContext&
     all_.push_back(plan.make(context, diagnostics));
     if (diagnostics.error_count() == before) add_names(*all_.back(), plan.location);
   }
+  const std::vector<Column> history = columns();
+  for (const auto& report : all_)
+    report->know(history, diagnostics);
+}
+
+std::vector<Column> Reports::columns() const {
+  std::vector<Column> columns;
+  for (const auto& report : all_) {
+    const std::vector<Column> own = report->columns();
+    columns.insert(columns.end(), own.begin(), own.end());
+  }
+  return columns;
+}
+
+std::vector<double> Reports::row() const {
+  std::vector<double> row;
+  for (const auto& report : all_)
+    row.insert(row.end(), report->values().begin(), report->values().end());
+  return row;
 }
 
 void Reports::look_ahead(const Outlook& outlook, Diagnostics& diagnostics) const {
@@ -38,12 +57,7 @@ void Reports::look_ahead(const Outlook& outlook, Diagnostics& diagnostics) const
 }
 
 void Reports::start(const ReportStart& start) {
-  std::vector<Column> columns;
-  for (const auto& report : all_) {
-    const std::vector<Column> own = report->columns();
-    columns.insert(columns.end(), own.begin(), own.end());
-  }
-  history_ = std::make_unique<History>(communicator_, start.folder + "/history.csv", columns,
+  history_ = std::make_unique<History>(communicator_, start.folder + "/history.csv", columns(),
                                        start.keep_until());
   for (const auto& report : all_)
     report->start(start);
@@ -52,13 +66,13 @@ void Reports::start(const ReportStart& start) {
 void Reports::accepted(const Step& step) {
   for (const auto& report : all_)
     report->accepted(step);
+  const std::vector<double> values = row();
+  for (const auto& report : all_)
+    report->recorded(values);
 }
 
 void Reports::write(const Step& step, bool history_due, bool fields_due) {
-  std::vector<double> row;
-  for (const auto& report : all_)
-    row.insert(row.end(), report->values().begin(), report->values().end());
-  if (history_due) history_->append(row);
+  if (history_due) history_->append(row());
   for (const auto& report : all_)
     report->write(step, fields_due);
 }

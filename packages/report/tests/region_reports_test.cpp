@@ -158,5 +158,54 @@ TEST_F(RegionReports, AFormulaWithoutAValueEndsTheStepOnAllRanks) {
   EXPECT_THROW(reports.accepted(sample_.step()), SolveError);
 }
 
+TEST(StatisticsReport, LooksAtAColumnOfAnotherAndGoesOnAfterARestart) {
+  ReportRegistry registry;
+  register_reports(registry);
+  ReportSample sample;
+  const std::string deck =
+      "<integral name='mean' of='velocity_x' on='water' mean='true' unit='m/s'/>"
+      "<statistics name='s' of='mean_m_per_s' from='1' periods='2'/>";
+  const auto run = [&](Reports& reports, int from, int to) {
+    for (int i = from; i < to; ++i) {
+      sample.state.time = 0.05 * i;
+      const double speed = 5 + std::sin(2 * M_PI * sample.state.time);
+      sample.set("velocity", [&](const double* /*X*/, int c) { return c == 0 ? speed : 0; });
+      reports.accepted(sample.step(i));
+    }
+  };
+  Diagnostics faults;
+  Reports whole = sample.reports(registry, deck, faults);
+  EXPECT_EQ(faults.error_text(), "");
+  run(whole, 1, 90);
+  Reports first = sample.reports(registry, deck, faults);
+  run(first, 1, 50);
+  CheckpointHeader header;
+  first.save(header);
+  Reports second = sample.reports(registry, deck, faults);
+  second.resume(header);
+  run(second, 50, 90);
+  Summary at_once, in_parts;
+  whole.summarise(sample.step(89), at_once);
+  second.summarise(sample.step(89), in_parts);
+  for (const char* const name : {"s_average_m_per_s", "s_middle_m_per_s", "s_amplitude_m_per_s",
+                                 "s_frequency_hz", "s_periods", "s_amplitude_scatter"})
+    EXPECT_EQ(at_once.number(name), in_parts.number(name)) << name;
+  EXPECT_EQ(at_once.number("s_periods"), 2);
+  EXPECT_NEAR(at_once.number("s_amplitude_m_per_s").value(), 1, 1e-3);
+  EXPECT_NEAR(at_once.number("s_frequency_hz").value(), 1, 1e-6);
+}
+
+TEST(StatisticsReport, RefusesAColumnThatNobodyGives) {
+  ReportRegistry registry;
+  register_reports(registry);
+  const ReportSample sample;
+  Diagnostics faults;
+  sample.reports(registry, "<statistics name='s' of='courant_mx'/>", faults);
+  EXPECT_NE(faults.error_text().find(
+                "no report here gives a column 'courant_mx' of history.csv; there are "),
+            std::string::npos);
+  EXPECT_NE(faults.error_text().find("did you mean 'courant_max'?"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hawser

@@ -58,8 +58,9 @@ struct ReportStart {
   }
 };
 
-/// All members are called on all ranks together, in the order look_ahead(); start() or resume() and
-/// start(); per step accepted() and write(); at the end summarise() and closing().
+/// All members are called on all ranks together, in the order know(), look_ahead(); start() or
+/// resume() and start(); per step accepted(), recorded() and write(); at the end summarise() and
+/// closing().
 class Report {
  public:
   Report() = default;
@@ -76,8 +77,14 @@ class Report {
   /// missing, a note where that may be meant.
   virtual void look_ahead(const Outlook& /*outlook*/, Diagnostics& /*diagnostics*/) const {}
 
+  /// For a report on other reports: all columns of history.csv, known before look_ahead().
+  virtual void know(const std::vector<Column>& /*history*/, Diagnostics& /*diagnostics*/) {}
+
   void accepted(const Step& step) { values_ = measure(step); }
   const std::vector<double>& values() const { return values_; }  ///< of the last step, per column
+
+  /// The values of the columns that know() named, once all reports have looked at a step.
+  virtual void recorded(const std::vector<double>& /*row*/) {}
 
   virtual void start(const ReportStart& /*start*/) {}
   /// Files of its own; `fields_due` when fields are written, too.

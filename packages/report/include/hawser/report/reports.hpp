@@ -32,6 +32,9 @@ class Reports {
   const std::vector<std::unique_ptr<Report>>& all() const { return all_; }
 
  private:
+  std::vector<Column> columns() const;  ///< of history.csv
+  std::vector<double> row() const;      ///< of the last step
+
   Communicator communicator_;
   std::vector<std::unique_ptr<Report>> all_;
   StepReport* steps_;
