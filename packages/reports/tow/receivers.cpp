@@ -22,12 +22,18 @@ std::vector<Column> columns_in(const Mesh& mesh) {
 
 Receivers::Receivers(const Assembler& assembler, const LineGeometry& line,
                      const ReceiversDeck& deck,
-                     std::function<std::vector<double>(double time)> axis, Diagnostics& diagnostics)
+                     std::function<std::vector<double>(const State&)> axis, Diagnostics& diagnostics)
     : assembler_(assembler), line_(line), deck_(deck), axis_(std::move(axis)) {
   std::sort(deck_.times.value.begin(), deck_.times.value.end());
   const double end = line.arc_length().back() * (1 + 1e-12);
-  for (int i = 0; deck_.first + i * deck_.spacing <= end; ++i)
+  places_ = deck_.at.value;
+  for (int i = 0; deck_.at->empty() && deck_.first + i * deck_.spacing <= end; ++i)
     places_.push_back(deck_.first + i * deck_.spacing);
+  if (!places_.empty() && places_.back() > end)
+    diagnostics.error(deck.at.location,
+                      fmt::format("a receiver at {:g} m is beyond the end of the cable '{}', which is "
+                                  "{:g} m long",
+                                  places_.back(), line.region().name, line.arc_length().back()));
   if (places_.empty())
     diagnostics.error(deck.first.location,
                       fmt::format("the first receiver, at {:g} m, is beyond the end of the cable "
@@ -96,7 +102,7 @@ Receivers::Sample Receivers::sample(const State& state) const {
   const auto node_tension = [&](std::size_t i) {
     return 0.5 * (tension[i == 0 ? 0 : i - 1] + tension[std::min(i, tension.size() - 1)]);
   };
-  const auto axis = axis_(state.time);
+  const auto axis = axis_(state);
   const auto astern = [&](const double* from) { return -(from[0] * axis[0] + from[1] * axis[1]); };
   const auto starboard = [&](const double* from) { return from[0] * axis[1] - from[1] * axis[0]; };
 

@@ -20,10 +20,10 @@ namespace hawser {
 
 class Receivers {
  public:
-  /// `axis`: the tow axis at a time, a unit vector of the mesh's dimension. Receivers beyond the
+  /// `axis`: the tow axis at a state, a unit vector of the mesh's dimension. Receivers beyond the
   /// cable's end go to `diagnostics`.
   Receivers(const Assembler& assembler, const LineGeometry& line, const ReceiversDeck& deck,
-            std::function<std::vector<double>(double time)> axis, Diagnostics& diagnostics);
+            std::function<std::vector<double>(const State&)> axis, Diagnostics& diagnostics);
 
   /// Times that the run does not come to.
   void look_ahead(const RunSpan& span, Diagnostics& diagnostics) const;
@@ -42,7 +42,7 @@ class Receivers {
   const Assembler& assembler_;
   const LineGeometry& line_;
   ReceiversDeck deck_;
-  std::function<std::vector<double>(double)> axis_;
+  std::function<std::vector<double>(const State&)> axis_;
   std::vector<double> places_;  // m, unstretched arc length of each receiver
   std::unique_ptr<History> file_;
   Sample before_;

@@ -15,6 +15,7 @@ constexpr double degree = pi / 180;  // rad
 struct ReceiversDeck {
   double spacing = 12.5;  ///< m along the cable at rest, as the next
   Located<double> first;
+  Located<std::vector<double>> at;  ///< m, instead of first and spacing
   Located<std::vector<double>> times;  ///< s
   int every = 0;                       ///< steps
   static Spec<ReceiversDeck> spec();
@@ -28,6 +29,8 @@ struct TowDeck {
   std::optional<double> speed;                ///< m/s
   std::optional<double> current;              ///< m/s, along -y
   std::optional<Located<std::string>> track;  ///< instead of angle and speed
+  enum class Course { as_said, motion };
+  Course course = Course::as_said;  ///< motion: the axis is where the tow point goes
   std::optional<ReceiversDeck> receivers;
   static Spec<TowDeck> spec();
 

@@ -36,10 +36,11 @@ void TowReport::look_ahead(const Outlook& outlook, Diagnostics& diagnostics) con
   if (!has_exact())
     diagnostics.note(deck_.cable.location,
                      "there is no exact value to compare the errors with: <tow> does not say " +
-                         std::string(deck_.current           ? "speed"
-                                     : track_ || deck_.speed ? "current"
-                                                             : "speed and current"));
-  if (!outlook.span.steady) compare_motion(outlook, diagnostics);
+                         std::string(deck_.current ? "speed"
+                                     : track_ || deck_.speed || follows_motion()
+                                         ? "current"
+                                         : "speed and current"));
+  if (!outlook.span.steady && !follows_motion()) compare_motion(outlook, diagnostics);
 }
 
 void TowReport::compare_motion(const Outlook& outlook, Diagnostics& diagnostics) const {
@@ -64,7 +65,7 @@ void TowReport::compare_motion(const Outlook& outlook, Diagnostics& diagnostics)
   int astray = fastest;
   for (int i = 1; i <= instants; ++i) {
     if (length(velocity(i), dimension) < 0.1 * speed) continue;  // a start or an end
-    const double off = angle_between(velocity(i), axis(time(i)));
+    const double off = angle_between(velocity(i), axis_as_said(time(i)));
     least = std::min(least, off);
     if (off > most) astray = i;
     most = std::max(most, off);
