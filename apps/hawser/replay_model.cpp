@@ -41,12 +41,14 @@ std::vector<Place> receivers_on(const std::vector<Place>& nodes, const MeasuredL
 /// Places at the shots, of what is known at the ends of steps.
 class Shots {
  public:
-  Shots(const MeasuredLine& line, std::vector<Place> start) : line_(line), before_(std::move(start)) {
+  Shots(const MeasuredLine& line, std::vector<Place> start)
+      : line_(line), before_(std::move(start)) {
     positions_.push_back(before_);  // the first shot is where it begins
   }
   void stepped(double time, const std::vector<Place>& now) {
     const double slack = 1e-9 * (time - time_);
-    while (positions_.size() < line_.times.size() && line_.times[positions_.size()] <= time + slack) {
+    while (positions_.size() < line_.times.size() &&
+           line_.times[positions_.size()] <= time + slack) {
       const double share = std::min(1.0, (line_.times[positions_.size()] - time_) / (time - time_));
       std::vector<Place> between = now;
       for (std::size_t r = 0; r < now.size(); ++r)

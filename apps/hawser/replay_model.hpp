@@ -1,5 +1,6 @@
 #pragma once
-// A replay's deck as a model: positions of the receivers at the shots, for values of its parameters.
+// A replay's deck as a model: positions of the receivers at the shots, for values of its
+// parameters.
 #include "hawser/replay/comparison.hpp"
 #include "hawser/simulation/case.hpp"
 

@@ -1,10 +1,10 @@
 #include "replay_results.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "hawser/base/error.hpp"
 #include "hawser/deck/number.hpp"
@@ -22,8 +22,11 @@ Json numbers(const std::vector<double>& values) {
 }
 
 Json summary(const Comparison& found) {
-  return {{"rms_m", found.rms},           {"tail_rms_m", found.tail_rms}, {"median_m", found.median},
-          {"greatest_m", found.greatest}, {"places", found.count}};
+  return {{"rms_m", found.rms},
+          {"tail_rms_m", found.tail_rms},
+          {"median_m", found.median},
+          {"greatest_m", found.greatest},
+          {"places", found.count}};
 }
 
 Json fit_summary(const ReplayResults& results) {
@@ -84,7 +87,8 @@ void write_results(const std::string& folder, const ReplayResults& results) {
   write_text(folder + "/replay.json",
              json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 
-  std::string residuals = "shot,time_s,receiver,arc_length_m,x_m,y_m,model_x_m,model_y_m,path_x_m,path_y_m,error_m\n";
+  std::string residuals =
+      "shot,time_s,receiver,arc_length_m,x_m,y_m,model_x_m,model_y_m,path_x_m,path_y_m,error_m\n";
   std::string shots = "shot,time_s,rms_m,tail_error_m,path_rms_m,path_tail_error_m\n";
   for (std::size_t s = 0; s < line.times.size(); ++s) {
     shots += fmt::format("{},{:.3f},{},{},{},{}\n", line.shot_numbers[s], line.times[s],
@@ -93,10 +97,11 @@ void write_results(const std::string& folder, const ReplayResults& results) {
     for (std::size_t r = 0; r < line.receivers.size(); ++r) {
       const Place &measured = line.places[s][r], &model = results.positions[s][r],
                   &path = results.path_positions[s][r];
-      residuals += fmt::format("{},{:.3f},{},{:.3f},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{}\n",
-                               line.shot_numbers[s], line.times[s], line.receivers[r], line.arc_lengths[r],
-                               cell(measured[0]), cell(measured[1]), model[0], model[1], path[0], path[1],
-                               cell(std::hypot(model[0] - measured[0], model[1] - measured[1])));
+      residuals +=
+          fmt::format("{},{:.3f},{},{:.3f},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{}\n",
+                      line.shot_numbers[s], line.times[s], line.receivers[r], line.arc_lengths[r],
+                      cell(measured[0]), cell(measured[1]), model[0], model[1], path[0], path[1],
+                      cell(std::hypot(model[0] - measured[0], model[1] - measured[1])));
     }
   }
   write_text(folder + "/residuals.csv", residuals);
@@ -105,16 +110,16 @@ void write_results(const std::string& folder, const ReplayResults& results) {
 
 std::string told_results(const ReplayResults& results) {
   const auto row = [](const std::string& name, const Comparison& found) {
-    return fmt::format("{:<30}{:>10.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", name, found.rms, found.median,
-                       found.greatest, found.tail_rms);
+    return fmt::format("{:<30}{:>10.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", name, found.rms,
+                       found.median, found.greatest, found.tail_rms);
   };
   std::string text = fmt::format("\n{:<30}{:>10}{:>10}{:>10}{:>10}\n", "off by, m", "rms", "median",
                                  "greatest", "tail rms");
   text += row("the path in the water", results.path) + row("this model", results.model);
   if (results.fit)
     for (std::size_t i = 0; i < results.fitted.size(); ++i) {
-      text += fmt::format("{:<16} {:>11.5g} +- {:.2g} {}", results.fitted[i].name, results.fit->values[i],
-                          results.fit->standard_errors[i],
+      text += fmt::format("{:<16} {:>11.5g} +- {:.2g} {}", results.fitted[i].name,
+                          results.fit->values[i], results.fit->standard_errors[i],
                           results.fitted[i].unit == "1" ? "" : results.fitted[i].unit);
       for (std::size_t j = 0; j < i; ++j)
         text += fmt::format("{} {:.2f} with {}", j == 0 ? "; correlation" : ",",
@@ -123,8 +128,9 @@ std::string told_results(const ReplayResults& results) {
     }
   for (const std::string& sentence : results.told)
     text += sentence + "\n";
-  text += fmt::format("{} steps in {:.2f} s of processor time: {:.0f} times real time\n", results.steps,
-                      results.cpu_seconds, results.line.times.back() / results.cpu_seconds);
+  text +=
+      fmt::format("{} steps in {:.2f} s of processor time: {:.0f} times real time\n", results.steps,
+                  results.cpu_seconds, results.line.times.back() / results.cpu_seconds);
   return text;
 }
 

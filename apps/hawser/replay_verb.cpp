@@ -1,4 +1,5 @@
-// A measured line replayed: navigation in, a deck, its run, and how far it is from what was measured.
+// A measured line replayed: navigation in, a deck, its run, and how far it is from what was
+// measured.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -37,8 +38,8 @@ ReplayParameter& parameter_named(std::vector<ReplayParameter>& parameters, const
     if (parameter.name == name && (parameter.is_fitted || !to_fit)) return parameter;
     if (parameter.is_fitted || !to_fit) names.push_back(parameter.name);
   }
-  throw Error(ExitCode::usage, asked_by + ": there is no '" + name + "'; there are " + listed(names) +
-                                   did_you_mean(name, names));
+  throw Error(ExitCode::usage, asked_by + ": there is no '" + name + "'; there are " +
+                                   listed(names) + did_you_mean(name, names));
 }
 
 class Replay {
@@ -74,7 +75,8 @@ class Replay {
  private:
   std::string deck_file() const { return arguments_.output + "/deck.xml"; }
   void tell(const std::string& text) const {
-    if (world_.is_root() && !arguments_.quiet) std::fputs(text.c_str(), stdout), std::fflush(stdout);
+    if (world_.is_root() && !arguments_.quiet)
+      std::fputs(text.c_str(), stdout), std::fflush(stdout);
   }
 
   void set_parameters() {
@@ -88,7 +90,8 @@ class Replay {
       std::istringstream lines(world_.broadcast(found));
       for (std::string one; std::getline(lines, one);) {
         const DeckChange change = read_change(one);
-        parameter_named(parameters_, change.path, arguments_.with + "/replay.json", false).value = change.value;
+        parameter_named(parameters_, change.path, arguments_.with + "/replay.json", false).value =
+            change.value;
       }
     }
     for (const DeckChange& change : arguments_.changes)
@@ -106,9 +109,10 @@ class Replay {
     diagnostics.throw_if_any();
     line_ = prepare_line(line, arguments_.line, diagnostics);
     diagnostics.throw_if_any();
-    tell(fmt::format("{}: {}, {} shots of {} receivers, a cable of {:.5g} m, {:.0f} s at {:.3g} m/s\n",
-                     line_.file, line_.format, line_.times.size(), line_.receivers.size(), line_.length(),
-                     line_.times.back(), line_.speed));
+    tell(fmt::format(
+        "{}: {}, {} shots of {} receivers, a cable of {:.5g} m, {:.0f} s at {:.3g} m/s\n",
+        line_.file, line_.format, line_.times.size(), line_.receivers.size(), line_.length(),
+        line_.times.back(), line_.speed));
   }
 
   void make_folder() const {
@@ -116,10 +120,12 @@ class Replay {
       namespace fs = std::filesystem;
       std::error_code failed;
       if (fs::exists(arguments_.output + "/replay.json") && !arguments_.force)
-        throw OutputError(arguments_.output + " holds a replay already; choose another folder, or "
-                                              "--force to replace it");
+        throw OutputError(arguments_.output +
+                          " holds a replay already; choose another folder, or "
+                          "--force to replace it");
       fs::create_directories(arguments_.output, failed);
-      if (failed) throw OutputError("cannot make the folder " + arguments_.output + ": " + failed.message());
+      if (failed)
+        throw OutputError("cannot make the folder " + arguments_.output + ": " + failed.message());
       write_text(arguments_.output + "/head.csv", head_csv(line_));
       write_text(arguments_.output + "/shape.csv", shape_csv(line_));
     });
@@ -220,31 +226,41 @@ std::vector<Verb> replay_verbs(CLI::App& app) {
   auto* verb = app.add_subcommand(
       "replay", "make a deck of a measured line, run it, and compare it with what was measured");
   verb->footer(
-      "Example: hawser replay line.p190 -o results/line --set diameter=\"54 mm\" --fit ct,current_east,current_north\n"
+      "Example: hawser replay line.p190 -o results/line --set diameter=\"54 mm\" --fit "
+      "ct,current_east,current_north\n"
       "         hawser replay next.p190 -o results/next --with results/line\n"
-      "Parameters: ct cn ca diameter mass stiffness density tail_drag_area current_east current_north.");
+      "Parameters: ct cn ca diameter mass stiffness density tail_drag_area current_east "
+      "current_north.");
   verb->add_option("navigation", arguments->file,
                    "positions of receivers: CSV (shot,receiver,east_m,north_m) or P1/90")
       ->required();
   verb->add_option("-o,--output", arguments->output, "folder for deck and results")->required();
-  verb->add_option("--speed", arguments->line.speed, "m/s along the head's track, if the file has no times")
+  verb->add_option("--speed", arguments->line.speed,
+                   "m/s along the head's track, if the file has no times")
       ->check(CLI::PositiveNumber);
-  verb->add_option("--spacing", arguments->line.spacing, "m between receivers of successive numbers")
+  verb->add_option("--spacing", arguments->line.spacing,
+                   "m between receivers of successive numbers")
       ->check(CLI::PositiveNumber);
-  verb->add_option("--streamer", arguments->navigation.streamer, "which one, if the file has several");
-  verb->add_option("--smooth", arguments->line.smooth, "s, of the head's track; else by its scatter")
+  verb->add_option("--streamer", arguments->navigation.streamer,
+                   "which one, if the file has several");
+  verb->add_option("--smooth", arguments->line.smooth,
+                   "s, of the head's track; else by its scatter")
       ->check(CLI::NonNegativeNumber);
   verb->add_option("--shape-smooth", arguments->line.shape_smooth,
                    "m, of the shape at the first shot; else six distances of receivers")
       ->check(CLI::NonNegativeNumber);
-  verb->add_option("--longest-gap", arguments->line.longest_gap, "s without the head that are bridged")
+  verb->add_option("--longest-gap", arguments->line.longest_gap,
+                   "s without the head that are bridged")
       ->check(CLI::PositiveNumber);
-  verb->add_option("--segments", arguments->deck.segments, "of the cable")->check(CLI::Range(2, 100000));
+  verb->add_option("--segments", arguments->deck.segments, "of the cable")
+      ->check(CLI::Range(2, 100000));
   verb->add_option("--step", arguments->deck.step, "s, of the run")->check(CLI::PositiveNumber);
-  verb->add_option("--fit", arguments->fit, "parameters to be found, such as ct,current_east,current_north")
+  verb->add_option("--fit", arguments->fit,
+                   "parameters to be found, such as ct,current_east,current_north")
       ->delimiter(',')
       ->allow_extra_args(false);
-  verb->add_option("--with", arguments->with, "folder of an earlier replay, whose parameters are taken");
+  verb->add_option("--with", arguments->with,
+                   "folder of an earlier replay, whose parameters are taken");
   add_changes(*verb, arguments->changes);
   add_plugin_folder(*verb, arguments->plugin_folder);
   verb->add_flag("-f,--force", arguments->force, "replace an earlier replay");

@@ -21,8 +21,8 @@ Place between(const Place& a, const Place& b, double share) {
   return {a[0] + share * way[0], a[1] + share * way[1], a[2] + share * way[2]};
 }
 
-/// Along from + share (to - from): the greatest share at which it is `distance` from `centre`, which
-/// is nearer to `from` than that.
+/// Along from + share (to - from): the greatest share at which it is `distance` from `centre`,
+/// which is nearer to `from` than that.
 double share_at(const Place& centre, const Place& from, const Place& to, double distance) {
   const Place way = minus(to, from), start = minus(from, centre);
   const double a = dot(way, way), b = dot(way, start);
@@ -39,10 +39,12 @@ std::string lay_line(const std::vector<Place>& points, int dimension, double len
   double along = 0;
   for (std::size_t i = 1; i < points.size(); ++i)
     along += std::sqrt(dot(minus(points[i], points[i - 1]), minus(points[i], points[i - 1])));
-  const std::string lengths = "the shape is " + metres(along) + " long, and the cable " + metres(length);
+  const std::string lengths =
+      "the shape is " + metres(along) + " long, and the cable " + metres(length);
   if (along > (1 + greatest_excess) * length)
-    return lengths + ": it would be stretched; give the length that the cable has, or a shape that ends "
-                     "with it";
+    return lengths +
+           ": it would be stretched; give the length that the cable has, or a shape that ends "
+           "with it";
   const double segment = length / segments;
   std::vector<Place> laid = {points.front()};
   Place here = points.front();  // on the curve, where the search goes on
@@ -56,7 +58,8 @@ std::string lay_line(const std::vector<Place>& points, int dimension, double len
     const double left = std::sqrt(dot(minus(points.back(), centre), minus(points.back(), centre)));
     if (ends && (i + 1 < segments || left < 0.5 * segment))
       return lengths + ": " + metres(length - i * segment - left) +
-             " of it have no place; a shape is needed that goes on to the cable's end, or a shorter "
+             " of it have no place; a shape is needed that goes on to the cable's end, or a "
+             "shorter "
              "cable";
     if (ends)  // straight on
       here = between(centre, points.back(), segment / left);

@@ -124,8 +124,7 @@ Spec<LineMesh> LineMesh::spec() {
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
         const bool straight = !p.from.empty() || !p.to.empty();
         if (!p.shape->empty()) {
-          if (straight)
-            diagnostics.error(where, "a line has either 'from' and 'to', or a shape");
+          if (straight) diagnostics.error(where, "a line has either 'from' and 'to', or a shape");
           return;
         }
         if (p.cable_length)

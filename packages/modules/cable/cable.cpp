@@ -147,8 +147,8 @@ PhysicsModule make_cable(const Cable& deck) {
     module.kernels.push_back(
         std::make_unique<CableDragKernel<D>>(deck.region, *deck.drag, current));
     for (const Drogue& drogue : deck.drag->drogues)
-      module.kernels.push_back(std::make_unique<DrogueKernel<D>>(drogue.on, drogue.area,
-                                                                 deck.drag->density, current));
+      module.kernels.push_back(
+          std::make_unique<DrogueKernel<D>>(drogue.on, drogue.area, deck.drag->density, current));
   }
   if (deck.bending_stiffness == 0) return module;
   module.kernels.push_back(

@@ -124,7 +124,8 @@ class DrogueKernel : public ElementKernel<DrogueKernel<D>> {
   static constexpr int velocity = 0;
   static constexpr int displacement = 1;
 
-  /// `drag_area`: m^2, drag coefficient times area; `density`: of the water, kg/m^3; `current`: m/s.
+  /// `drag_area`: m^2, drag coefficient times area; `density`: of the water, kg/m^3; `current`:
+  /// m/s.
   DrogueKernel(Domain points, double drag_area, double density, Expressions current)
       : ElementKernel<DrogueKernel>(std::move(points)),
         current_(std::move(current)),

@@ -24,7 +24,10 @@ std::vector<KnownColumn> known_columns() {
 class Reader {
  public:
   Reader(const Csv& csv, const NumberColumns& columns, Diagnostics& diagnostics)
-      : csv_(csv), columns_(columns), diagnostics_(diagnostics), builder_(csv.file, "CSV", diagnostics) {}
+      : csv_(csv),
+        columns_(columns),
+        diagnostics_(diagnostics),
+        builder_(csv.file, "CSV", diagnostics) {}
 
   NavigationLine read() {
     const std::size_t before = diagnostics_.error_count();
@@ -49,8 +52,8 @@ class Reader {
   int whole(Known column, std::size_t row) {
     const double given = value(column, row);
     if (std::abs(given) > 1e9 || given != std::rint(given)) {
-      diagnostics_.error(place(column, row), "the number of a " + known_columns()[column].names[0] +
-                                                 " is whole");
+      diagnostics_.error(place(column, row),
+                         "the number of a " + known_columns()[column].names[0] + " is whole");
       return 0;
     }
     return static_cast<int>(given);
@@ -62,7 +65,8 @@ class Reader {
     last_shot_ = number;
     const double now = value(time, row), of_shot = builder_.line().shots.back().time;
     if (now != of_shot && !std::isnan(now))
-      diagnostics_.error(place(time, row), "the time is another one than that of the shot's first row");
+      diagnostics_.error(place(time, row),
+                         "the time is another one than that of the shot's first row");
     builder_.receiver(group, {value(east, row), value(north, row)}, value(depth, row),
                       place(receiver, row));
     if (!columns_.given[arc_length]) return;

@@ -14,9 +14,11 @@ bool NavigationLine::has_times() const { return !shots.empty() && !std::isnan(sh
 void LineBuilder::shot(int number, double time, const Location& where) {
   const auto [known, is_new] = shots_.emplace(number, line_.shots.size());
   if (!is_new)
-    diagnostics_.error(where, "shot " + std::to_string(number) + " was there already, " +
-                                  line_.shots[known->second].where.text() +
-                                  "; what belongs to one shot stands together");
+    diagnostics_.error(where,
+                       "shot " + std::to_string(number) + " was there already, " +
+                           line_.shots[known->second].where.text() +
+                           "; what belongs to one shot stands together (are the columns shot and "
+                           "receiver mixed up?)");
   line_.shots.push_back({number, where, time});
   positions_.emplace_back();
 }
@@ -29,9 +31,9 @@ void LineBuilder::receiver(int number, const Place& place, double depth, const L
 
 NavigationLine LineBuilder::finish() {
   if (line_.shots.size() < 2) {
-    diagnostics_.error({line_.file, 0, 0}, "a line needs two shots at least, and there " +
-                                               std::string(line_.shots.empty() ? "are none"
-                                                                               : "is one"));
+    diagnostics_.error({line_.file, 0, 0},
+                       "a line needs two shots at least, and there " +
+                           std::string(line_.shots.empty() ? "are none" : "is one"));
     return std::move(line_);
   }
   std::set<int> numbers;

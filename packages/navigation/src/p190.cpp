@@ -2,7 +2,8 @@
 //
 //   H  2-5 type, 6-32 description, 33-80 data
 //   S  (source), V (vessel) and others: 20-25 point number, 71-73 day of the year, 74-79 hhmmss
-//   R  three times from 2: 4 receiver group, 9.1 easting, 9.1 northing, 4.1 cable depth; 80 streamer
+//   R  three times from 2: 4 receiver group, 9.1 easting, 9.1 northing, 4.1 cable depth; 80
+//   streamer
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -28,8 +29,12 @@ class Reader {
  public:
   Reader(const std::string& text, const std::string& file, const NavigationOptions& options,
          Diagnostics& diagnostics)
-      : text_(text), file_(file), options_(options), diagnostics_(diagnostics),
-        before_(diagnostics.error_count()), builder_(file, "P1/90", diagnostics) {}
+      : text_(text),
+        file_(file),
+        options_(options),
+        diagnostics_(diagnostics),
+        before_(diagnostics.error_count()),
+        builder_(file, "P1/90", diagnostics) {}
 
   NavigationLine read() {
     // With sources at all, they are the shots; else the vessel.
@@ -122,8 +127,10 @@ class Reader {
     for (const std::size_t at : {2U, 28U, 54U}) {
       if (field(at, 26).empty()) continue;
       const double group = number(at, 4, "the receiver group");
-      const double east = number(at + 4, 9, "the easting"), north = number(at + 13, 9, "the northing");
-      const double depth = field(at + 22, 4).empty() ? no_value : number(at + 22, 4, "the cable's depth");
+      const double east = number(at + 4, 9, "the easting"),
+                   north = number(at + 13, 9, "the northing");
+      const double depth =
+          field(at + 22, 4).empty() ? no_value : number(at + 22, 4, "the cable's depth");
       if (!std::isnan(group))
         builder_.receiver(static_cast<int>(group), {east, north}, depth,
                           {file_, number_, static_cast<int>(at)});

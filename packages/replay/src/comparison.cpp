@@ -17,7 +17,8 @@ Comparison compare(const MeasuredLine& line, const Positions& model) {
     result.tail_error.push_back(no_value);
     for (std::size_t r = 0; r < measured.size(); ++r) {
       if (!is_known(measured[r])) continue;
-      const double off = std::hypot(model[s][r][0] - measured[r][0], model[s][r][1] - measured[r][1]);
+      const double off =
+          std::hypot(model[s][r][0] - measured[r][0], model[s][r][1] - measured[r][1]);
       of_shot += off * off;
       ++count;
       distances.push_back(off);

@@ -14,8 +14,8 @@ using Column = std::vector<double>;
 using Matrix = std::vector<Column>;  // [row][column]
 
 constexpr int most_iterations = 15, most_halvings = 6;
-constexpr double enough = 1e-5;      // relative change of the sum of squares
-constexpr double alike = 0.9;        // cosine or correlation of what can hardly be told apart
+constexpr double enough = 1e-5;  // relative change of the sum of squares
+constexpr double alike = 0.9;    // cosine or correlation of what can hardly be told apart
 
 /// Measured minus model, [shot][receiver][east, north] without the missing ones.
 Column residuals(const MeasuredLine& line, const Positions& model) {
@@ -35,8 +35,8 @@ double dot(const Column& a, const Column& b) {
   return sum;
 }
 
-/// The inverse of a symmetric positive matrix, by Cholesky of what it is with a unit diagonal; empty
-/// when it is singular.
+/// The inverse of a symmetric positive matrix, by Cholesky of what it is with a unit diagonal;
+/// empty when it is singular.
 Matrix inverse(const Matrix& a) {
   const std::size_t n = a.size();
   Matrix lower(n, Column(n, 0)), result(n, Column(n, 0));
@@ -108,12 +108,12 @@ double independent_count(const MeasuredLine& line, const Positions& model, std::
   const auto residual = [&](std::size_t s, std::size_t r, std::size_t j) {
     return line.places[s][r][j] - model[s][r][j];
   };
-  const double along_line = correlation_length(2 * receivers, shots, [&](std::size_t i, std::size_t s) {
-    return residual(s, i / 2, i % 2);
-  });
-  const double along_cable = correlation_length(2 * shots, receivers, [&](std::size_t i, std::size_t r) {
-    return residual(i / 2, r, i % 2);
-  });
+  const double along_line =
+      correlation_length(2 * receivers, shots,
+                         [&](std::size_t i, std::size_t s) { return residual(s, i / 2, i % 2); });
+  const double along_cable =
+      correlation_length(2 * shots, receivers,
+                         [&](std::size_t i, std::size_t r) { return residual(i / 2, r, i % 2); });
   return std::max(1.0, static_cast<double>(numbers) / (along_line * along_cable));
 }
 
@@ -150,7 +150,8 @@ class Fitting {
  private:
   double squares() const { return dot(off_, off_); }
   void remember() {
-    result_.iterations.push_back({result_.values, std::sqrt(2 * squares() / static_cast<double>(off_.size()))});
+    result_.iterations.push_back(
+        {result_.values, std::sqrt(2 * squares() / static_cast<double>(off_.size()))});
     told_(result_.iterations.back());
   }
 
@@ -224,10 +225,11 @@ class Fitting {
         normal[i][j] = dot(columns_[i], columns_[j]);
     const Matrix inverted = inverse(normal);
     // sigma^2 (J^T J)^-1 numbers / independent, sigma^2 of one number.
-    const double variance = squares() / numbers * numbers / result_.independent;
+    const double variance = squares() / result_.independent;
     result_.correlations.assign(n, Column(n, no_value));
     for (std::size_t i = 0; i < n; ++i) {
-      result_.standard_errors.push_back(inverted.empty() ? no_value : std::sqrt(variance * inverted[i][i]));
+      result_.standard_errors.push_back(inverted.empty() ? no_value
+                                                         : std::sqrt(variance * inverted[i][i]));
       result_.effects.push_back(std::sqrt(2 * normal[i][i] / numbers) * result_.standard_errors[i]);
       result_.at_bound.push_back(result_.values[i] <= parameters_[i].least ||
                                  result_.values[i] >= parameters_[i].most);
@@ -255,7 +257,8 @@ FitResult fit_parameters(const MeasuredLine& line, const std::vector<ReplayParam
 
 std::vector<std::vector<double>> likeness(const MeasuredLine& line, const Positions& positions,
                                           const std::vector<ReplayParameter>& parameters,
-                                          const std::vector<double>& values, const ReplayModel& model) {
+                                          const std::vector<double>& values,
+                                          const ReplayModel& model) {
   const Column at = residuals(line, positions);
   Matrix columns;
   for (std::size_t p = 0; p < parameters.size(); ++p)
@@ -276,29 +279,37 @@ std::vector<std::string> what_cannot_be_told(const std::vector<ReplayParameter>&
   for (std::size_t i = 0; i < fitted.size(); ++i) {
     const double value = result.values[i], error = result.standard_errors[i];
     if (result.at_bound[i])
-      told.push_back(fmt::format("{} is as far as it may go, at {:.4g} {}.", fitted[i].name, value,
-                                 fitted[i].unit));
+      told.push_back(fmt::format("{} is as far as it may go, at {:.4g}{}.", fitted[i].name, value,
+                                 fitted[i].unit == "1" ? "" : " " + fitted[i].unit));
     else if (std::isnan(error))
       told.push_back(fmt::format("{} makes no difference on this line.", fitted[i].name));
     else if (std::abs(value) < 2 * error)
-      told.push_back(fmt::format("{} is not told from 0: {:.3g} +- {:.2g} {}.", fitted[i].name, value,
-                                 error, fitted[i].unit));
+      told.push_back(fmt::format("{} is not told from 0: {:.3g} +- {:.2g}{}.", fitted[i].name,
+                                 value, error, fitted[i].unit == "1" ? "" : " " + fitted[i].unit));
     for (std::size_t j = 0; j < i; ++j)
       if (std::abs(result.correlations[i][j]) > alike)
-        told.push_back(fmt::format("{} and {} cannot be told apart from this line: the errors of the "
-                                   "two have a correlation of {:.3f}.",
-                                   fitted[j].name, fitted[i].name, result.correlations[i][j]));
+        told.push_back(
+            fmt::format("{} and {} cannot be told apart from this line: the errors of the "
+                        "two have a correlation of {:.3f}.",
+                        fitted[j].name, fitted[i].name, result.correlations[i][j]));
   }
   const auto is_fitted = [&](const ReplayParameter& p) {
     return std::any_of(fitted.begin(), fitted.end(),
                        [&](const ReplayParameter& f) { return f.name == p.name; });
   };
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t j = 0; j < all.size(); ++j)
-      if (is_fitted(all[i]) && !is_fitted(all[j]) && std::abs(cosines[i][j]) > alike)
-        told.push_back(fmt::format("{} was held, and moves the receivers as {} does (cosine {:.3f}): "
-                                   "what was found for {} may be that of both.",
-                                   all[j].name, all[i].name, cosines[i][j], all[i].name));
+  // Of each that was held, the fitted one that it resembles most.
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    std::size_t like = all.size();
+    for (std::size_t i = 0; i < all.size() && !is_fitted(all[j]); ++i)
+      if (is_fitted(all[i]) && std::abs(cosines[i][j]) > alike &&
+          (like == all.size() || std::abs(cosines[i][j]) > std::abs(cosines[like][j])))
+        like = i;
+    if (like < all.size())
+      told.push_back(
+          fmt::format("{} was held, and moves the receivers as {} does (cosine {:.3f}): "
+                      "what was found for {} stands for both.",
+                      all[j].name, all[like].name, cosines[like][j], all[like].name));
+  }
   return told;
 }
 

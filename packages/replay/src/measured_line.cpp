@@ -10,11 +10,11 @@
 namespace hawser {
 namespace {
 
-constexpr double gap_factor = 5;        // of the usual time between shots
-constexpr double jump_factor = 5;       // of the usual way between shots
-constexpr double spacing_slack = 0.1;   // between what is said and what is measured
-constexpr double share_of_noise = 0.02; // of the mean speed, which smoothing leaves
-constexpr double shape_periods = 6;     // of the shape's smoothing, in distances of receivers
+constexpr double gap_factor = 5;         // of the usual time between shots
+constexpr double jump_factor = 5;        // of the usual way between shots
+constexpr double spacing_slack = 0.1;    // between what is said and what is measured
+constexpr double share_of_noise = 0.02;  // of the mean speed, which smoothing leaves
+constexpr double shape_periods = 6;      // of the shape's smoothing, in distances of receivers
 
 double distance(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
@@ -99,9 +99,10 @@ class Preparation {
                                                               : result_.receivers.front(),
                                      is_known(places.front()) ? "tail" : "head", first.number));
     else if (2 * static_cast<std::size_t>(known) < places.size())
-      fault(first.where, fmt::format("shot {}, at which the run would begin, has {} of {} receivers: "
-                                     "the cable's shape is not known",
-                                     first.number, known, places.size()));
+      fault(first.where,
+            fmt::format("shot {}, at which the run would begin, has {} of {} receivers: "
+                        "the cable's shape is not known",
+                        first.number, known, places.size()));
     result_.origin = places.front();
     for (auto& shot : result_.places)
       for (Place& place : shot)
@@ -127,9 +128,10 @@ class Preparation {
       for (std::size_t r = 1; r < numbers.size(); ++r)
         if (!((numbers[r] > numbers[r - 1]) == (numbers[1] > numbers[0])) ||
             numbers[r] == numbers[r - 1])
-          return fault({line_.file, 0, 0}, fmt::format("the arc lengths of receivers {} and {} are "
-                                                       "not in the order of their numbers",
-                                                       result_.receivers[r - 1], result_.receivers[r]));
+          return fault({line_.file, 0, 0},
+                       fmt::format("the arc lengths of receivers {} and {} are "
+                                   "not in the order of their numbers",
+                                   result_.receivers[r - 1], result_.receivers[r]));
     }
     const double found = measured_spacing(numbers);
     if (std::isnan(found) || found == 0)
@@ -137,27 +139,29 @@ class Preparation {
     const bool is_said = !line_.arc_lengths.empty() || options_.spacing;
     const double said = !line_.arc_lengths.empty() ? 1 : options_.spacing.value_or(found);
     if (std::abs(found / said - 1) > spacing_slack)
-      return fault({line_.file, 0, 0},
-                   line_.arc_lengths.empty()
-                       ? fmt::format("receivers of successive numbers are {:.4g} m apart (median), and "
-                                     "the spacing is said to be {:g} m; are shot and receiver mixed up?",
-                                     found, said)
-                       : fmt::format("receivers are {:.4g} times as far apart (median) as their arc "
-                                     "lengths say",
-                                     found));
+      return fault(
+          {line_.file, 0, 0},
+          line_.arc_lengths.empty()
+              ? fmt::format("receivers of successive numbers are {:.4g} m apart (median), and "
+                            "the spacing is said to be {:g} m; are shot and receiver mixed up?",
+                            found, said)
+              : fmt::format("receivers are {:.4g} times as far apart (median) as their arc "
+                            "lengths say",
+                            found));
     if (!is_said)
       result_.notes.push_back(fmt::format(
-          "receivers of successive numbers are {:.5g} m apart (median); --spacing says it exactly", found));
+          "receivers of successive numbers are {:.5g} m apart (median); --spacing says it exactly",
+          found));
     for (const double number : numbers)
       result_.arc_lengths.push_back(said * std::abs(number - numbers.front()));
   }
 
   void find_times() {
     if (line_.has_times() == options_.speed.has_value())
-      return fault({line_.file, 0, 0}, line_.has_times()
-                                           ? "the file has times; a speed would contradict them"
-                                           : "the file has no times; --speed 2.3 would say that the "
-                                             "head goes 2.3 m/s along its track");
+      return fault({line_.file, 0, 0},
+                   line_.has_times() ? "the file has times; a speed would contradict them"
+                                     : "the file has no times; --speed 2.3 would say that the "
+                                       "head goes 2.3 m/s along its track");
     std::vector<std::size_t> shots;  // in which the head is known
     std::vector<double> clock;
     for (std::size_t s = 0; s < result_.places.size(); ++s)
@@ -203,11 +207,13 @@ class Preparation {
     const auto above = std::lower_bound(shots.begin(), shots.end(), s);
     const auto i = static_cast<std::size_t>(above - shots.begin());
     if (*above == s) return clock[i];
-    const double share = static_cast<double>(s - shots[i - 1]) / static_cast<double>(shots[i] - shots[i - 1]);
+    const double share =
+        static_cast<double>(s - shots[i - 1]) / static_cast<double>(shots[i] - shots[i - 1]);
     return clock[i - 1] + share * (clock[i] - clock[i - 1]);
   }
 
-  std::shared_ptr<const SmoothingSpline> spline(std::size_t axis, const std::vector<double>& clock) const {
+  std::shared_ptr<const SmoothingSpline> spline(std::size_t axis,
+                                                const std::vector<double>& clock) const {
     std::vector<double> values;
     for (const Place& place : result_.head)
       values.push_back(place[axis]);
@@ -218,7 +224,8 @@ class Preparation {
   std::vector<double> ways() const {
     std::vector<double> along = {0};
     for (std::size_t i = 1; i < result_.head.size(); ++i)
-      along.push_back(along.back() + distance(result_.head[i - 1], result_.head[i]) / *options_.speed);
+      along.push_back(along.back() +
+                      distance(result_.head[i - 1], result_.head[i]) / *options_.speed);
     return along;
   }
 
@@ -230,7 +237,9 @@ class Preparation {
     for (std::size_t i = 1; i < clock.size(); ++i) {
       double way = 0;
       for (int p = 0; p < pieces; ++p) {
-        const auto at = [&](int k) { return clock[i - 1] + (clock[i] - clock[i - 1]) * k / pieces; };
+        const auto at = [&](int k) {
+          return clock[i - 1] + (clock[i] - clock[i - 1]) * k / pieces;
+        };
         way += std::hypot(east->value(at(p + 1)) - east->value(at(p)),
                           north->value(at(p + 1)) - north->value(at(p)));
       }
@@ -244,7 +253,8 @@ class Preparation {
       return fault({line_.file, 0, 0}, "the head is known at fewer than four shots");
     std::vector<double> ways;
     const auto way = [&](std::size_t i) {
-      return distance(result_.head[i - 1], result_.head[i]) / static_cast<double>(shots[i] - shots[i - 1]);
+      return distance(result_.head[i - 1], result_.head[i]) /
+             static_cast<double>(shots[i] - shots[i - 1]);
     };
     for (std::size_t i = 1; i < shots.size(); ++i)
       ways.push_back(way(i));
@@ -254,9 +264,10 @@ class Preparation {
       if (way(i) > jump_factor * usual) {
         ++told;
         fault(line_.shots[shots[i]].where,
-              fmt::format("the head is {:.5g} m from where it was at the shot before, and {:.4g} m are "
-                          "usual (median)",
-                          way(i), usual));
+              fmt::format(
+                  "the head is {:.5g} m from where it was at the shot before, and {:.4g} m are "
+                  "usual (median)",
+                  way(i), usual));
       }
   }
 
@@ -269,9 +280,10 @@ class Preparation {
     for (std::size_t i = 1; i < clock.size(); ++i)
       if (steps[i - 1] > most)
         fault(line_.shots[shots[i]].where,
-              fmt::format("the head is not known for {:.5g} s before this shot, and {:.4g} s are usual "
-                          "(median); --longest-gap {:.0f} would bridge it by the smoothed track",
-                          steps[i - 1], usual, std::ceil(steps[i - 1])));
+              fmt::format(
+                  "the head is not known for {:.5g} s before this shot, and {:.4g} s are usual "
+                  "(median); --longest-gap {:.0f} would bridge it by the smoothed track",
+                  steps[i - 1], usual, std::ceil(steps[i - 1])));
   }
 
   void find_shape() {
@@ -283,9 +295,10 @@ class Preparation {
         east.push_back(places[r][0]);
         north.push_back(places[r][1]);
       }
-    result_.shape_smooth = options_.shape_smooth.value_or(
-        shape_periods * result_.length() / static_cast<double>(along.size() - 1));
-    const SmoothingSpline x(along, east, result_.shape_smooth), y(along, north, result_.shape_smooth);
+    result_.shape_smooth = options_.shape_smooth.value_or(shape_periods * result_.length() /
+                                                          static_cast<double>(along.size() - 1));
+    const SmoothingSpline x(along, east, result_.shape_smooth),
+        y(along, north, result_.shape_smooth);
     // The head goes where its track begins; what that moves it by fades along the cable.
     const Place begin = head_at(0);
     const int points = 8 * static_cast<int>(along.size());
@@ -311,10 +324,13 @@ class Preparation {
     const auto &last = shape.back(), &before = shape[shape.size() - 2];
     const double step = std::hypot(last[0] - before[0], last[1] - before[1]);
     const double share = (more * length - along) / step;
-    shape.push_back({last[0] + share * (last[0] - before[0]), last[1] + share * (last[1] - before[1]), 0});
+    shape.push_back(
+        {last[0] + share * (last[0] - before[0]), last[1] + share * (last[1] - before[1]), 0});
   }
 
-  Place head_at(double time) const { return {result_.east->value(time), result_.north->value(time)}; }
+  Place head_at(double time) const {
+    return {result_.east->value(time), result_.north->value(time)};
+  }
 
   const NavigationLine& line_;
   const LineOptions& options_;

@@ -13,7 +13,9 @@ std::string escaped(const std::string& text) {
       case '<': result += "&lt;"; break;
       case '>': result += "&gt;"; break;
       case '"': result += "&quot;"; break;
-      case '-': result += !result.empty() && result.back() == '-' ? " -" : "-"; break;  // in a comment
+      case '-':
+        result += !result.empty() && result.back() == '-' ? " -" : "-";
+        break;  // in a comment
       default: result += c;
     }
   return result;
@@ -34,7 +36,8 @@ std::vector<ReplayParameter> replay_parameters() {
   return {
       {"ct", "1", "drag along the cable, of its wetted surface", "0.0024", true, 2e-4, 1e-5, 1},
       {"cn", "1", "drag across the cable, of diameter times length", "1.2", true, 0.05, 0.01, 100},
-      {"tail_drag_area", "m^2", "of tail buoy or drogue, drag coefficient times area", "0 m^2", true, 0.2, 0, 1e4},
+      {"tail_drag_area", "m^2", "of tail buoy or drogue, drag coefficient times area", "0 m^2",
+       true, 0.2, 0, 1e4},
       {"current_east", "m/s", "of the water, constant", "0 m/s", true, 0.02, -5, 5},
       {"current_north", "m/s", "of the water, constant", "0 m/s", true, 0.02, -5, 5},
       {"ca", "1", "added mass across the cable, of the displaced mass", "1", false, 0.1, 0, 10},
@@ -48,8 +51,8 @@ std::string replay_deck(const MeasuredLine& line, const std::vector<ReplayParame
                         const ReplayDeckOptions& options) {
   std::string given;
   for (const ReplayParameter& p : parameters)
-    given += fmt::format("  <parameter name=\"{}\" value=\"{}\" unit=\"{}\" meaning=\"{}\"/>\n", p.name,
-                         p.value, p.unit, p.meaning);
+    given += fmt::format("  <parameter name=\"{}\" value=\"{}\" unit=\"{}\" meaning=\"{}\"/>\n",
+                         p.name, p.value, p.unit, p.meaning);
   return fmt::format(
       R"(<?xml version="1.0"?>
 <!-- {} shots of {} receivers, {} to {}, from {} ({}); made by
@@ -92,7 +95,8 @@ std::string replay_deck(const MeasuredLine& line, const std::vector<ReplayParame
 std::string head_csv(const MeasuredLine& line) {
   std::string text = "time_s,x_m,y_m\n";
   for (std::size_t i = 0; i < line.head.size(); ++i)
-    text += fmt::format("{:.10g},{:.10g},{:.10g}\n", line.head_times[i], line.head[i][0], line.head[i][1]);
+    text += fmt::format("{:.10g},{:.10g},{:.10g}\n", line.head_times[i], line.head[i][0],
+                        line.head[i][1]);
   return text;
 }
 

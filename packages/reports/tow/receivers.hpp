@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/navigation/navigation_line.hpp"
 #include "hawser/report/line_geometry.hpp"
 #include "hawser/report/report.hpp"
 #include "tow_deck.hpp"
@@ -31,13 +32,19 @@ class Receivers {
   /// Collective, as is stepped().
   void open(const std::string& file, const ReportStart& start);
   void stepped(const Step& step);
+  /// m that the tow point has gone, which a restarted run goes on from.
+  double way() const { return before_.way; }
+  void resume(double way) { before_.way = way; }
 
  private:
   struct Sample {
-    double time = 0;
+    double time = 0, way = 0;  // s; m of the tow point
+    Place head{};              // m, of the tow point
     std::vector<double> rows;  // [receiver][column]
   };
   Sample sample(const State& state) const;
+  void append_between(const Sample& now, double share, double time);
+  void append_shots(const Sample& now);
 
   const Assembler& assembler_;
   const LineGeometry& line_;
@@ -45,6 +52,7 @@ class Receivers {
   std::function<std::vector<double>(const State&)> axis_;
   std::vector<double> places_;  // m, unstretched arc length of each receiver
   std::unique_ptr<History> file_;
+  std::string folder_, name_;  // of receivers.csv
   Sample before_;
 };
 

@@ -72,8 +72,8 @@ TowReport::TowReport(const TowDeck& deck, const ReportContext& context, Diagnost
   }
   if (deck.receivers)
     receivers_ = std::make_unique<Receivers>(
-        context.assembler, *line_, *deck.receivers, [this](const State& state) { return axis(state); },
-        diagnostics);
+        context.assembler, *line_, *deck.receivers,
+        [this](const State& state) { return axis(state); }, diagnostics);
 }
 
 std::vector<double> TowReport::axis_as_said(double time) const {
@@ -215,12 +215,15 @@ void TowReport::save(CheckpointNotes& notes) const {
   std::string& text = notes.texts["end_errors"];
   for (const auto& [time, error] : end_errors_)
     text += write_value(time) + " " + write_value(error) + "\n";
+  if (receivers_) notes.numbers["way"] = receivers_->way();
 }
 
 void TowReport::resume(const CheckpointNotes& notes) {
   std::istringstream text(notes.texts.at("end_errors"));
   for (double time = 0, error = 0; text >> time >> error;)
     end_errors_.emplace_back(time, error);
+  if (const auto way = notes.numbers.find("way"); receivers_ && way != notes.numbers.end())
+    receivers_->resume(way->second);
 }
 
 void TowReport::summarise(const Step& last, Summary& summary) const {

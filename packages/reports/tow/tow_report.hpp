@@ -59,9 +59,7 @@ class TowReport : public Report {
   /// m/s of the tow point, in the plane z = 0. Collective.
   std::array<double, 2> motion(const State& state) const;
   /// Whether the deck says enough for one.
-  bool has_exact() const {
-    return deck_.current && (follows_motion() || track_ || deck_.speed);
-  }
+  bool has_exact() const { return deck_.current && (follows_motion() || track_ || deck_.speed); }
   /// End error of a cable that is straight along the relative flow, m; on a track, of its course
   /// and speed at that time. With has_exact(). Collective.
   double exact_end_error(double length, const State& state) const;

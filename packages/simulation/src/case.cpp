@@ -32,14 +32,15 @@ void lay_along_shape(LineMesh& line, const Deck& text, Diagnostics& diagnostics)
   const auto read = text.files->read(path, largest);
   line.dimension = 2;
   if (!read || read->size() > largest)
-    return diagnostics.error(where, (read ? "larger than 16 MB: the shape " : "cannot read the shape ") + path);
+    return diagnostics.error(
+        where, (read ? "larger than 16 MB: the shape " : "cannot read the shape ") + path);
   const std::size_t before = diagnostics.error_count();
   const Curve curve = read_curve(*read, path, diagnostics);
   if (diagnostics.error_count() > before) return;
   line.dimension = curve.dimension;
   const double along = curve.arc_lengths.empty() ? curve.length() : curve.arc_lengths.back();
-  const std::string wrong =
-      lay_line(curve.points, curve.dimension, line.cable_length.value_or(along), line.segments, line.nodes);
+  const std::string wrong = lay_line(curve.points, curve.dimension,
+                                     line.cable_length.value_or(along), line.segments, line.nodes);
   if (!wrong.empty()) diagnostics.error(where, wrong);
 }
 
@@ -188,6 +189,7 @@ const std::string& Case::home() const { return content_->home; }
 std::optional<double> Case::end() const { return content_->end; }
 std::optional<double> Case::end_of_deck() const { return content_->end_of_deck; }
 bool Case::has_mesh_file() const { return deck().mesh.file.has_value(); }
+bool Case::has_line_mesh() const { return deck().mesh.line.has_value(); }
 
 std::string Case::resolved_deck() const {
   return hawser::resolved_deck(text().root, deck_language(content_->registries));

@@ -39,7 +39,7 @@ struct WaterBox {
 struct LineMesh {
   std::vector<double> from, to;  ///< 2 or 3 coordinates, m
   int segments = 1;
-  Located<std::string> shape = {};  ///< file of the curve; empty: straight
+  Located<std::string> shape = {};          ///< file of the curve; empty: straight
   std::optional<double> cable_length = {};  ///< m, of a line along a curve; none: the curve's
   /// m, [node][2 or 3] of a line along a curve, which whoever can read the file fills.
   std::vector<double> nodes = {};

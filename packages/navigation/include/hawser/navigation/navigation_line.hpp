@@ -21,18 +21,18 @@ inline bool is_known(const Place& place) { return place[0] == place[0] && place[
 
 struct Shot {
   int number = 0;
-  Location where{};                    ///< in the file
-  double time = no_value;              ///< s, of the file's own clock; NaN where it says none
-  std::vector<Place> places{};         ///< per receiver of the line; NaN where it is missing
-  std::vector<double> depths{};        ///< m, likewise; empty where the file has none
+  Location where{};              ///< in the file
+  double time = no_value;        ///< s, of the file's own clock; NaN where it says none
+  std::vector<Place> places{};   ///< per receiver of the line; NaN where it is missing
+  std::vector<double> depths{};  ///< m, likewise; empty where the file has none
 };
 
 struct NavigationLine {
   std::string file{}, format{};
-  std::vector<int> receivers{};        ///< numbers in the file
-  std::vector<double> arc_lengths{};   ///< m along the cable, per receiver; empty: not said
+  std::vector<int> receivers{};       ///< numbers in the file
+  std::vector<double> arc_lengths{};  ///< m along the cable, per receiver; empty: not said
   std::vector<Shot> shots{};
-  std::vector<std::string> header{};   ///< what the file says of datum, projection and units
+  std::vector<std::string> header{};  ///< what the file says of datum, projection and units
 
   bool has_times() const;
 };

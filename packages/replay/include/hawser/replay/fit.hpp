@@ -32,8 +32,9 @@ struct FitResult {
   std::vector<bool> at_bound{};
 };
 
-/// Starts at `start`; `parameters` say how to take differences and what is allowed. `told` after each
-/// iteration. An Error of the model at the start is the caller's; one on the way halves the change.
+/// Starts at `start`; `parameters` say how to take differences and what is allowed. `told` after
+/// each iteration. An Error of the model at the start is the caller's; one on the way halves the
+/// change.
 FitResult fit_parameters(const MeasuredLine& line, const std::vector<ReplayParameter>& parameters,
                          std::vector<double> start, const ReplayModel& model,
                          const std::function<void(const FitIteration&)>& told);
@@ -42,7 +43,8 @@ FitResult fit_parameters(const MeasuredLine& line, const std::vector<ReplayParam
 /// two make, 1 or -1 for two that cannot be told apart. `positions` are those at `values`.
 std::vector<std::vector<double>> likeness(const MeasuredLine& line, const Positions& positions,
                                           const std::vector<ReplayParameter>& parameters,
-                                          const std::vector<double>& values, const ReplayModel& model);
+                                          const std::vector<double>& values,
+                                          const ReplayModel& model);
 
 /// Sentences for a person: what this line does not tell, or tells only together.
 std::vector<std::string> what_cannot_be_told(const std::vector<ReplayParameter>& fitted,

@@ -8,10 +8,10 @@ namespace hawser {
 /// A parameter of that deck.
 struct ReplayParameter {
   std::string name, unit, meaning;
-  std::string value;             ///< as decks have it
-  bool is_fitted = false;        ///< may be
-  double change = 0;             ///< SI, by which a difference is taken
-  double least = 0, most = 0;    ///< SI, what a fit may find
+  std::string value;           ///< as decks have it
+  bool is_fitted = false;      ///< may be
+  double change = 0;           ///< SI, by which a difference is taken
+  double least = 0, most = 0;  ///< SI, what a fit may find
 };
 
 /// ct, cn, tail_drag_area, current_east, ... with the usual values.
@@ -19,7 +19,7 @@ std::vector<ReplayParameter> replay_parameters();
 
 struct ReplayDeckOptions {
   int segments = 80;
-  double step = 20;  ///< s
+  double step = 20;       ///< s
   std::string made_by{};  ///< the command line, for the deck's head
 };
 
