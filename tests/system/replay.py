@@ -110,7 +110,7 @@ class Replay(SystemTest):
         self.assertAlmostEqual(of_csv["model"]["rms_m"], of_p190["model"]["rms_m"], delta=1.5)
 
     def test_the_deck_runs_to_the_same_places(self):
-        self.replayed(self.csv, "deck", "--spacing", "25", "--segments", "15", "--set", "diameter=50 mm")
+        self.replayed(self.csv, "deck", "--spacing", "25", "--segments", "15", "--step", "100", "--set", "diameter=50 mm")
         folder = SCRATCH / "deck"
         self.assertIn('name="diameter" value="0.05 m"', (folder / "deck.xml").read_text())
         completed(1, "check", folder / "deck.xml")
@@ -120,8 +120,8 @@ class Replay(SystemTest):
             np.testing.assert_allclose(ran[name], told["model_" + name], atol=1e-3)  # of three decimals
 
     def test_ranks_make_no_difference_and_parameters_are_handed_on(self):
-        one, _ = self.replayed(self.csv, "one", "--spacing", "25", "--segments", "15", "--fit", "ct")
-        two, _ = self.replayed(self.csv, "two", "--spacing", "25", "--segments", "15", "--with", SCRATCH / "one", ranks=2)
+        one, _ = self.replayed(self.csv, "one", "--spacing", "25", "--segments", "15", "--step", "100", "--fit", "ct")
+        two, _ = self.replayed(self.csv, "two", "--spacing", "25", "--segments", "15", "--step", "100", "--with", SCRATCH / "one", ranks=2)
         self.assertEqual(one["parameters"], two["parameters"])
         self.assertAlmostEqual(one["model"]["rms_m"], two["model"]["rms_m"], delta=1e-6)
         self.assertTrue((SCRATCH / "one/map.png").exists() and (SCRATCH / "one/errors.png").exists())
