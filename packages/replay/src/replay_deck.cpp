@@ -25,7 +25,7 @@ template <class Values>
 std::string joined(const Values& values) {
   std::string text;
   for (const auto& value : values)
-    text += fmt::format("{}{:.10g}", text.empty() ? "" : " ", value);
+    text += fmt::format("{}{:.15g}", text.empty() ? "" : " ", value);
   return text;
 }
 
@@ -57,13 +57,13 @@ std::string replay_deck(const MeasuredLine& line, const std::vector<ReplayParame
       R"(<?xml version="1.0"?>
 <!-- {} shots of {} receivers, {} to {}, from {} ({}); made by
        {}
-     x is east, y is north, from ({:.10g}, {:.10g}) m in that file's frame; t = 0 is the first shot. The tow point
+     x is east, y is north, from ({:.15g}, {:.15g}) m in that file's frame; t = 0 is the first shot. The tow point
      goes where the head went (head.csv); at first the cable lies as it was measured (shape.csv). -->
 <hawser title="Replay of {}">
 {}  <mesh>
-    <line shape="shape.csv" length="{:.10g} m" segments="{}"/>
+    <line shape="shape.csv" length="{:.15g} m" segments="{}"/>
   </mesh>
-  <table name="head" file="head.csv" smooth="{:.10g} s" longest-gap="{:.10g} s"/>
+  <table name="head" file="head.csv" smooth="{:.15g} s" longest-gap="{:.15g} s"/>
   <modules>
     <cable region="cable" mass-per-length="mass" axial-stiffness="stiffness">
       <drag current="current_east; current_north" density="density" diameter="diameter" normal-coefficient="cn"
@@ -75,7 +75,7 @@ std::string replay_deck(const MeasuredLine& line, const std::vector<ReplayParame
   <conditions>
     <prescribe name="tow" field="displacement" on="tow-point" table="head"/>
   </conditions>
-  <time scheme="bdf2" step="{:.10g} s" end="{:.10g} s"/>
+  <time scheme="bdf2" step="{:.15g} s" end="{:.15g} s"/>
   <solver>
     <linear method="mumps" tolerance="1e-8"/>
     <!-- a full step turns segments before it corrects their length: in between EA makes the residual large -->
@@ -95,7 +95,7 @@ std::string replay_deck(const MeasuredLine& line, const std::vector<ReplayParame
 std::string head_csv(const MeasuredLine& line) {
   std::string text = "time_s,x_m,y_m\n";
   for (std::size_t i = 0; i < line.head.size(); ++i)
-    text += fmt::format("{:.10g},{:.10g},{:.10g}\n", line.head_times[i], line.head[i][0],
+    text += fmt::format("{:.15g},{:.15g},{:.15g}\n", line.head_times[i], line.head[i][0],
                         line.head[i][1]);
   return text;
 }
@@ -103,7 +103,7 @@ std::string head_csv(const MeasuredLine& line) {
 std::string shape_csv(const MeasuredLine& line) {
   std::string text = "x_m,y_m\n";
   for (const auto& place : line.shape)
-    text += fmt::format("{:.10g},{:.10g}\n", place[0], place[1]);
+    text += fmt::format("{:.15g},{:.15g}\n", place[0], place[1]);
   return text;
 }
 
