@@ -17,6 +17,7 @@ set(HAWSER_CONFINED_HEADERS
   "pugixml|packages/deck/src"
   "nlohmann/|packages/output/src packages/log/src packages/study/src apps/hawser"
   "gmsh|apps/mesher"
+  "proj[.]h|packages/navigation/src"
   "(hdf5|H5[A-Z])[A-Za-z]*public|packages/output/src"
   "hdf5[.]h|packages/output/src")
 

@@ -1,7 +1,7 @@
 # Everything Hawser stands on. Targets for LIBRARIES in hawser_package and hawser_test:
 #   hawser::trilinos (with MPI)   MPI::MPI_CXX        METIS::METIS      MUMPS::DMUMPS (C API)
 #   hdf5::parallel (C API)        pugixml::pugixml    fmt::fmt          CLI11::CLI11
-#   nlohmann_json::nlohmann_json
+#   nlohmann_json::nlohmann_json   PROJ::proj (charts)
 #   gmsh::gmsh (GPL: only the mesher, a separate program, may link it)
 # Part of the CMake package too: who uses Hawser needs what its headers show, MPI and Trilinos.
 
@@ -15,6 +15,7 @@ find_package(pugixml REQUIRED)
 find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(PROJ REQUIRED)
 if(HAWSER_TESTS)
   find_package(GTest REQUIRED)
 endif()

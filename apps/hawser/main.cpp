@@ -101,7 +101,8 @@ int main(int argc, char** argv) {
          "--man", [&app] { throw CLI::CallForVersion(man_page(app), 0); }, "print the manual page")
       ->group("");
   std::vector<Verb> verbs;
-  for (const auto& group : {run_verbs, converge_verbs, info_verbs, deck_verbs, study_verbs})
+  for (const auto& group :
+       {run_verbs, converge_verbs, info_verbs, deck_verbs, study_verbs, replay_verbs})
     for (Verb& verb : group(app))
       verbs.push_back(std::move(verb));
   const Action action = read_command_line(app, verbs, argc, argv);

@@ -176,13 +176,14 @@ Verb check_verb(CLI::App& app) {
   verb->add_option("deck", arguments->file, "XML deck or study")->required();
   add_changes(*verb, arguments->of_case.changes);
   verb->add_flag("--mesh", arguments->with_mesh,
-                 "make or read the mesh, too, audit it, and check all that a run would");
+                 "make or read the mesh, too, audit it, and check all that a run would; of a line "
+                 "alone always");
   return {verb, OnRanks([arguments](Environment& environment) {
             environment.plugin_folder = arguments->plugin_folder;
             if (const auto study = check_study(environment, arguments->file))
               return print(environment, *study);
             const Case run_case = case_of(*arguments, environment);
-            if (arguments->with_mesh)
+            if (arguments->with_mesh || run_case.has_line_mesh())
               return print(environment,
                            check_with_mesh(run_case) + arguments->file + ": no faults\n");
             return print(environment,

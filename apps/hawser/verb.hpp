@@ -30,8 +30,9 @@ struct Verb {
 
 std::vector<Verb> run_verbs(CLI::App& app);  ///< run, restart, check, jacobian, mesh
 std::vector<Verb> converge_verbs(CLI::App& app);
-std::vector<Verb> deck_verbs(CLI::App& app);   ///< modules, describe, schema, new
-std::vector<Verb> info_verbs(CLI::App& app);   ///< info
+std::vector<Verb> deck_verbs(CLI::App& app);  ///< modules, describe, schema, new
+std::vector<Verb> info_verbs(CLI::App& app);  ///< info
+std::vector<Verb> replay_verbs(CLI::App& app);
 std::vector<Verb> study_verbs(CLI::App& app);  ///< study, report
 
 }  // namespace hawser::program

@@ -12,6 +12,16 @@ struct Point {
   int node;
 };
 
+double coordinate(const LineMesh& line, int node, std::size_t axis) {
+  if (!line.nodes.empty()) {
+    const auto dimension = static_cast<std::size_t>(line.dimension);
+    return axis < dimension ? line.nodes[dimension * static_cast<std::size_t>(node) + axis] : 0;
+  }
+  if (axis >= line.from.size()) return 0;
+  const double share = static_cast<double>(node) / line.segments;
+  return line.from[axis] + share * (line.to[axis] - line.from[axis]);
+}
+
 void write_line(std::ostream& out, const LineMesh& line) {
   const int last = line.segments + 1;
   std::vector<Point> points = {{"tow-point", 1}, {"tail", last}};
@@ -23,11 +33,9 @@ void write_line(std::ostream& out, const LineMesh& line) {
     out << "0 " << p + 2 << " \"" << points[p].name << "\"\n";
   out << "$EndPhysicalNames\n$Nodes\n" << last << '\n';
   for (int node = 0; node < last; ++node) {
-    const double share = static_cast<double>(node) / line.segments;
     out << node + 1;
     for (std::size_t j = 0; j < 3; ++j)
-      out << ' '
-          << (j < line.from.size() ? line.from[j] + share * (line.to[j] - line.from[j]) : 0.0);
+      out << ' ' << coordinate(line, node, j);
     out << '\n';
   }
   out << "$EndNodes\n$Elements\n"

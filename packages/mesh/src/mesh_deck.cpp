@@ -107,13 +107,31 @@ Spec<MeshDeck> MeshDeck::spec() {
 Spec<LineMesh> LineMesh::spec() {
   using P = LineMesh;
   return Spec<P>("line",
-                 "A straight cable alone, in the plane or in space: regions cable, tow-point (its "
-                 "start), tail (its end) and, with an even number of segments, middle.")
-      .attribute("from", &P::from, "m", required() && any() && length(2, 3), "Where it starts.")
-      .attribute("to", &P::to, "m", required() && any() && length(2, 3), "Where it ends.")
+                 "A cable alone, in the plane or in space, straight or laid along a curve: regions "
+                 "cable, tow-point (its start), tail (its end) and, with an even number of "
+                 "segments, middle.")
+      .attribute("from", &P::from, "m", any() && length(2, 3) && absent("shape says it"),
+                 "Where it starts.")
+      .attribute("to", &P::to, "m", any() && length(2, 3) && absent("shape says it"),
+                 "Where it ends.")
       .attribute("segments", &P::segments, required() && at_least(1), "Of equal length.")
+      .attribute("shape", &P::shape, absent("straight"),
+                 "CSV file of a curve, such as a measured shape, along which the cable is laid "
+                 "without strain: columns x_m, y_m, z_m in space, arc_length_m if it is known. A "
+                 "relative path starts at the deck's folder.")
+      .attribute("length", &P::cable_length, "m", positive() && absent("that of the shape"),
+                 "Of the cable that is laid along a shape.")
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
-        if (p.from.size() != p.to.size())
+        const bool straight = !p.from.empty() || !p.to.empty();
+        if (!p.shape->empty()) {
+          if (straight) diagnostics.error(where, "a line has either 'from' and 'to', or a shape");
+          return;
+        }
+        if (p.cable_length)
+          diagnostics.error(where, "'length' is for a line along a shape; 'from' and 'to' say it");
+        if (p.from.empty() || p.to.empty())
+          diagnostics.error(where, "a line needs 'from' and 'to', or a shape");
+        else if (p.from.size() != p.to.size())
           diagnostics.error(where, "'from' has " + std::to_string(p.from.size()) +
                                        " coordinates and 'to' " + std::to_string(p.to.size()));
         else if (p.from == p.to)
@@ -122,7 +140,7 @@ Spec<LineMesh> LineMesh::spec() {
 }
 
 int MeshDeck::dimension() const {
-  if (line) return static_cast<int>(line->from.size());
+  if (line) return line->shape->empty() ? static_cast<int>(line->from.size()) : line->dimension;
   return file ? file->dimension : 2;
 }
 

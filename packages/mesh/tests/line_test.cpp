@@ -1,4 +1,5 @@
 // A line alone, in the plane and in space: its regions and their numbers on any number of ranks.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -68,6 +69,27 @@ TEST(Line, HasPatchesAroundInnerNodesAndCellsThatBeginAtPoints) {
     EXPECT_EQ(position(mesh, tail.vertices[static_cast<std::size_t>(2 * cell)])[0], 8);
     EXPECT_EQ(position(mesh, tail.vertices[static_cast<std::size_t>(2 * cell + 1)])[0], 6);
   }
+}
+
+TEST(Line, IsLaidAlongACurveInSegmentsOfItsOwnLength) {
+  // A right angle: chords of 1 cut the corner, and the cable of 4 ends beyond 1.5 + 2.6 of curve.
+  std::vector<double> nodes;
+  EXPECT_EQ(lay_line({{0, 0, 0}, {1.5, 0, 0}, {1.5, 2.6, 0}}, 2, 4, 4, nodes), "");
+  ASSERT_EQ(nodes.size(), 10U);
+  for (std::size_t i = 2; i < nodes.size(); i += 2)
+    EXPECT_NEAR(std::hypot(nodes[i] - nodes[i - 2], nodes[i + 1] - nodes[i - 1]), 1, 1e-14);
+  EXPECT_DOUBLE_EQ(nodes[4], 1.5);
+  EXPECT_NEAR(nodes[5], std::sqrt(0.75), 1e-14);
+  EXPECT_EQ(nodes[8], 1.5);
+}
+
+TEST(Line, RefusesAShapeThatIsTooShortOrTooLong) {
+  std::vector<double> nodes;
+  EXPECT_THAT(
+      lay_line({{0, 0, 0}, {10, 0, 0}}, 2, 12, 6, nodes),
+      testing::HasSubstr("the shape is 10 m long, and the cable 12 m: 2 m of it have no place"));
+  EXPECT_THAT(lay_line({{0, 0, 0}, {10, 0, 0}}, 2, 9, 3, nodes),
+              testing::HasSubstr("it would be stretched"));
 }
 
 }  // namespace

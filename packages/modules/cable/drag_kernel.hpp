@@ -111,4 +111,59 @@ class CableDragKernel : public ElementKernel<CableDragKernel<D>> {
   double added_mass_;           // per length, kg/m
 };
 
+/// rho A |u| u / 2 of the current relative to a vertex: a drogue or a buoy that has no mass.
+template <int D>
+class DrogueKernel : public ElementKernel<DrogueKernel<D>> {
+ public:
+  static constexpr int dimension = D;
+  static constexpr CellShape shape = CellShape::point;
+  static constexpr int node_count = 1;
+  static constexpr std::array<FieldUse, 2> uses = {
+      StandardFields<D>::velocity.as(Role::adds, need::value),
+      StandardFields<D>::displacement.as(Role::reads, need::value)};
+  static constexpr int velocity = 0;
+  static constexpr int displacement = 1;
+
+  /// `drag_area`: m^2, drag coefficient times area; `density`: of the water, kg/m^3; `current`:
+  /// m/s.
+  DrogueKernel(Domain points, double drag_area, double density, Expressions current)
+      : ElementKernel<DrogueKernel>(std::move(points)),
+        current_(std::move(current)),
+        factor_(0.5 * density * drag_area) {}
+
+  template <class Element, class T>
+  void element_residual(const Element& at, T* out) const {
+    using std::sqrt;
+    Vector<double, D> place;
+    Vector<T, D> moved, relative;
+    for (int i = 0; i < D; ++i) {
+      place[i] = at.coordinate(0, i);
+      moved[i] = at.value(displacement, 0, i);
+    }
+    constexpr double least_squared = 1e-20;  // m^2/s^2, as along the cable
+    T squared = least_squared;
+    for (int i = 0; i < D; ++i) {
+      relative[i] = at_place(current_[static_cast<std::size_t>(i)], place, moved, at.time()) -
+                    at.value(velocity, 0, i);
+      squared += relative[i] * relative[i];
+    }
+    const T speed = sqrt(squared);
+    for (int i = 0; i < D; ++i)
+      out[at.index(velocity, 0, i)] -= factor_ * speed * relative[i];
+  }
+
+  std::vector<EnergyTerm> energy_terms() const override {
+    return {{"drag", EnergyTerm::Kind::dissipated}};
+  }
+  void powers(const CellInput& cell, double* powers) const override {
+    powers[0] = this->residual_times(cell, velocity);
+  }
+
+  std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }
+
+ private:
+  Expressions current_;
+  double factor_;  // N/(m/s)^2
+};
+
 }  // namespace hawser

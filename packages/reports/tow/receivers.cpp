@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "navigation_file.hpp"
+
 namespace hawser {
 namespace {
 
@@ -22,12 +24,20 @@ std::vector<Column> columns_in(const Mesh& mesh) {
 
 Receivers::Receivers(const Assembler& assembler, const LineGeometry& line,
                      const ReceiversDeck& deck,
-                     std::function<std::vector<double>(double time)> axis, Diagnostics& diagnostics)
+                     std::function<std::vector<double>(const State&)> axis,
+                     Diagnostics& diagnostics)
     : assembler_(assembler), line_(line), deck_(deck), axis_(std::move(axis)) {
   std::sort(deck_.times.value.begin(), deck_.times.value.end());
   const double end = line.arc_length().back() * (1 + 1e-12);
-  for (int i = 0; deck_.first + i * deck_.spacing <= end; ++i)
+  places_ = deck_.at.value;
+  for (int i = 0; deck_.at->empty() && deck_.first + i * deck_.spacing <= end; ++i)
     places_.push_back(deck_.first + i * deck_.spacing);
+  if (!places_.empty() && places_.back() > end)
+    diagnostics.error(
+        deck.at.location,
+        fmt::format("a receiver at {:g} m is beyond the end of the cable '{}', which is "
+                    "{:g} m long",
+                    places_.back(), line.region().name, line.arc_length().back()));
   if (places_.empty())
     diagnostics.error(deck.first.location,
                       fmt::format("the first receiver, at {:g} m, is beyond the end of the cable "
@@ -59,8 +69,13 @@ void Receivers::open(const std::string& file, const ReportStart& start) {
   const Mesh& mesh = assembler_.dofs().mesh();
   file_ = std::make_unique<History>(mesh.communicator, start.folder + "/" + file, columns_in(mesh),
                                     start.keep_until());
+  folder_ = start.folder;
+  name_ = file;
+  const double way = before_.way;
   before_ = sample(start.state);
+  before_.way = way;
   // The beginning is no step's end; a run that goes on has written it already.
+  if (!start.goes_on && deck_.shot_distance > 0) file_->append(before_.rows);
   for (const double time : deck_.times.value)
     if (!start.goes_on && time == before_.time) file_->append(before_.rows);
 }
@@ -70,21 +85,39 @@ void Receivers::stepped(const Step& step) {
   const double slack = 1e-9 * (now.time - before_.time);
   for (const double time : deck_.times.value) {
     if (time <= before_.time + slack || time > now.time + slack) continue;
-    const double share = std::min(1.0, (time - before_.time) / (now.time - before_.time));
-    std::vector<double> rows = now.rows;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      rows[i] = (1 - share) * before_.rows[i] + share * now.rows[i];
-    for (std::size_t i = 0; i < rows.size(); i += now.rows.size() / places_.size())
-      rows[i] = time;
-    file_->append(rows);
+    append_between(now, std::min(1.0, (time - before_.time) / (now.time - before_.time)), time);
   }
-  const bool at_the_end = step.last && deck_.times->empty() && deck_.every == 0;
+  now.way = before_.way + std::hypot(now.head[0] - before_.head[0], now.head[1] - before_.head[1]);
+  if (deck_.shot_distance > 0) append_shots(now);
+  const bool at_the_end =
+      step.last && deck_.times->empty() && deck_.every == 0 && deck_.shot_distance == 0;
   const bool asked_already =
       std::any_of(deck_.times->begin(), deck_.times->end(),
                   [&](double time) { return std::abs(time - now.time) <= slack; });
   if (at_the_end || (deck_.every > 0 && step.number % deck_.every == 0 && !asked_already))
     file_->append(now.rows);
   before_ = std::move(now);
+  if (step.last && deck_.navigation)
+    write_navigation(assembler_.dofs().mesh(), folder_ + "/" + name_, folder_, *deck_.navigation);
+}
+
+void Receivers::append_between(const Sample& now, double share, double time) {
+  std::vector<double> rows = now.rows;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    rows[i] = (1 - share) * before_.rows[i] + share * now.rows[i];
+  for (std::size_t i = 0; i < rows.size(); i += now.rows.size() / places_.size())
+    rows[i] = time;
+  file_->append(rows);
+}
+
+void Receivers::append_shots(const Sample& now) {
+  const double distance = deck_.shot_distance;
+  const double slack = 1e-9 * distance;
+  for (double n = std::floor((before_.way + slack) / distance) + 1; n * distance <= now.way + slack;
+       ++n) {
+    const double share = std::min(1.0, (n * distance - before_.way) / (now.way - before_.way));
+    append_between(now, share, before_.time + share * (now.time - before_.time));
+  }
 }
 
 Receivers::Sample Receivers::sample(const State& state) const {
@@ -96,12 +129,13 @@ Receivers::Sample Receivers::sample(const State& state) const {
   const auto node_tension = [&](std::size_t i) {
     return 0.5 * (tension[i == 0 ? 0 : i - 1] + tension[std::min(i, tension.size() - 1)]);
   };
-  const auto axis = axis_(state.time);
+  const auto axis = axis_(state);
   const auto astern = [&](const double* from) { return -(from[0] * axis[0] + from[1] * axis[1]); };
   const auto starboard = [&](const double* from) { return from[0] * axis[1] - from[1] * axis[0]; };
 
   Sample result;
   result.time = state.time;
+  result.head = {x[0], x[1]};
   const std::size_t dimension = axis.size();
   for (std::size_t r = 0; r < places_.size(); ++r) {
     const auto above = std::upper_bound(arc.begin() + 1, arc.end() - 1, places_[r]);

@@ -34,12 +34,13 @@ double tow_angle(const double* v) { return std::atan2(v[0], v[1]) / degree; }
 void TowReport::look_ahead(const Outlook& outlook, Diagnostics& diagnostics) const {
   if (receivers_) receivers_->look_ahead(outlook.span, diagnostics);
   if (!has_exact())
-    diagnostics.note(deck_.cable.location,
-                     "there is no exact value to compare the errors with: <tow> does not say " +
-                         std::string(deck_.current           ? "speed"
-                                     : track_ || deck_.speed ? "current"
-                                                             : "speed and current"));
-  if (!outlook.span.steady) compare_motion(outlook, diagnostics);
+    diagnostics.note(
+        deck_.cable.location,
+        "there is no exact value to compare the errors with: <tow> does not say " +
+            std::string(deck_.current                               ? "speed"
+                        : track_ || deck_.speed || follows_motion() ? "current"
+                                                                    : "speed and current"));
+  if (!outlook.span.steady && !follows_motion()) compare_motion(outlook, diagnostics);
 }
 
 void TowReport::compare_motion(const Outlook& outlook, Diagnostics& diagnostics) const {
@@ -64,7 +65,7 @@ void TowReport::compare_motion(const Outlook& outlook, Diagnostics& diagnostics)
   int astray = fastest;
   for (int i = 1; i <= instants; ++i) {
     if (length(velocity(i), dimension) < 0.1 * speed) continue;  // a start or an end
-    const double off = angle_between(velocity(i), axis(time(i)));
+    const double off = angle_between(velocity(i), axis_as_said(time(i)));
     least = std::min(least, off);
     if (off > most) astray = i;
     most = std::max(most, off);
@@ -76,18 +77,21 @@ void TowReport::compare_motion(const Outlook& outlook, Diagnostics& diagnostics)
       track_ ? deck_.track->location
              : (deck_.angle.location.line > 0 ? deck_.angle.location : deck_.cable.location);
   if (least > slack) {
-    diagnostics.error(where,
-                      fmt::format("the tow point never moves along {}: at t = {:g} s it goes "
-                                  "in the direction of angle=\"{:.6g}\"",
-                                  axis_text, time(fastest), tow_angle(velocity(fastest))));
+    diagnostics.error(
+        where,
+        fmt::format("the tow point never moves along {}: at t = {:g} s it goes "
+                    "in the direction of angle=\"{:.6g}\"; with course=\"motion\" the axis is "
+                    "where it goes",
+                    axis_text, time(fastest), tow_angle(velocity(fastest))));
     return;
   }
   if (most > slack) {
-    diagnostics.note(where,
-                     fmt::format("the tow point does not always move along {}: at t = {:g} s "
-                                 "it goes in the direction of angle=\"{:.6g}\"; errors are "
-                                 "measured from that axis",
-                                 axis_text, time(astray), tow_angle(velocity(astray))));
+    diagnostics.note(
+        where, fmt::format("the tow point does not always move along {}: at t = {:g} s "
+                           "it goes in the direction of angle=\"{:.6g}\"; errors are "
+                           "measured from that axis; with course=\"motion\" it is where the tow "
+                           "point goes",
+                           axis_text, time(astray), tow_angle(velocity(astray))));
     return;
   }
   if (!track_ && deck_.speed && std::abs(*deck_.speed - speed) > 0.01 * speed)

@@ -72,11 +72,11 @@ TowReport::TowReport(const TowDeck& deck, const ReportContext& context, Diagnost
   }
   if (deck.receivers)
     receivers_ = std::make_unique<Receivers>(
-        context.assembler, *line_, *deck.receivers, [this](double time) { return axis(time); },
-        diagnostics);
+        context.assembler, *line_, *deck.receivers,
+        [this](const State& state) { return axis(state); }, diagnostics);
 }
 
-std::vector<double> TowReport::axis(double time) const {
+std::vector<double> TowReport::axis_as_said(double time) const {
   std::vector<double> result(static_cast<std::size_t>(dofs_.mesh().dimension), 0);
   result[0] = std::sin(deck_.angle * degree);
   result[1] = std::cos(deck_.angle * degree);
@@ -87,10 +87,43 @@ std::vector<double> TowReport::axis(double time) const {
   return result;
 }
 
-double TowReport::exact_end_error(double length, double time) const {
+std::array<double, 2> TowReport::motion(const State& state) const {
+  std::array<double, 2> mine = {0, 0}, all = {0, 0};
+  if (tow_point_ >= 0)
+    for (std::size_t j = 0; j < 2; ++j)
+      mine[j] = state.value[static_cast<std::size_t>(dofs_.first_row(
+                                dofs_.find(field_name::velocity), PointKind::vertex, tow_point_)) +
+                            j];
+  MPI_Allreduce(mine.data(), all.data(), 2, MPI_DOUBLE, MPI_SUM, dofs_.mesh().communicator.mpi());
+  return all;
+}
+
+std::vector<double> TowReport::axis(const State& state) const {
+  if (!follows_motion()) return axis_as_said(state.time);
+  std::vector<double> result(static_cast<std::size_t>(dofs_.mesh().dimension), 0);
+  const auto velocity = motion(state);
+  const double speed = std::hypot(velocity[0], velocity[1]);
+  if (speed > 0) {
+    result[0] = velocity[0] / speed;
+    result[1] = velocity[1] / speed;
+    return result;
+  }
+  // It rests: straight on from the tail to the tow point.
+  const std::vector<double> x = line_->positions(state);
+  const std::size_t tail = x.size() - result.size();
+  const double length = std::hypot(x[0] - x[tail], x[1] - x[tail + 1]);
+  result[1] = length > 0 ? (x[1] - x[tail + 1]) / length : 1;
+  result[0] = length > 0 ? (x[0] - x[tail]) / length : 0;
+  return result;
+}
+
+double TowReport::exact_end_error(double length, const State& state) const {
   // Relative to the water the cable moves with V along the axis and U against the current.
-  const auto along = axis(time);
-  const double speed = track_ ? track_->speed(time) : *deck_.speed;
+  const auto along = axis(state);
+  const auto velocity = motion(state);
+  const double speed = follows_motion() ? std::hypot(velocity[0], velocity[1])
+                       : track_         ? track_->speed(state.time)
+                                        : *deck_.speed;
   const double x = speed * along[0], y = *deck_.current + speed * along[1];
   const double relative = std::hypot(x, y);
   return relative > 0 ? length * std::abs(along[0] * y - along[1] * x) / relative : 0;
@@ -118,9 +151,9 @@ std::vector<std::string> TowReport::quantities() const {
 
 std::vector<double> TowReport::measure(const Step& step) {
   const double time = step.end.time;
-  const std::vector<double> x = line_->positions(step.end), axis_of_tow = axis(time);
+  const std::vector<double> x = line_->positions(step.end), axis_of_tow = axis(step.end);
   last_ = measure_tow(x, distances_from_axis(x, axis_of_tow), axis_of_tow.size());
-  if (has_exact()) exact_ = exact_end_error(last_.length, time);
+  if (has_exact()) exact_ = exact_end_error(last_.length, step.end);
   end_errors_.emplace_back(time, last_.end_error);
   const Force force = tow_force(step.reactions, axis_of_tow);
   return {last_.end_error, last_.total_error, last_.total_error_arc, force.magnitude,
@@ -154,7 +187,7 @@ void TowReport::start(const ReportStart& start) {
 
 void TowReport::write(const Step& step, bool fields_due) {
   if (fields_due) {
-    const std::vector<double> x = line_->positions(step.end), axis_of_tow = axis(step.end.time);
+    const std::vector<double> x = line_->positions(step.end), axis_of_tow = axis(step.end);
     const std::vector<double> errors = distances_from_axis(x, axis_of_tow);
     const std::size_t dimension = axis_of_tow.size();
     std::vector<double> rows;
@@ -172,7 +205,7 @@ void TowReport::write(const Step& step, bool fields_due) {
 void TowReport::add_fields(const Region& line, const State& state,
                            std::vector<PointField>& fields) const {
   if (&line != &line_->region()) return;
-  const auto errors = distances_from_axis(line_->positions(state), axis(state.time));
+  const auto errors = distances_from_axis(line_->positions(state), axis(state));
   PointField& field = fields.emplace_back(PointField{deck_.named("positioning_error"), "m", 1, {}});
   for (const auto& node : line_->owned())
     field.values.push_back(errors[node.place]);
@@ -182,12 +215,15 @@ void TowReport::save(CheckpointNotes& notes) const {
   std::string& text = notes.texts["end_errors"];
   for (const auto& [time, error] : end_errors_)
     text += write_value(time) + " " + write_value(error) + "\n";
+  if (receivers_) notes.numbers["way"] = receivers_->way();
 }
 
 void TowReport::resume(const CheckpointNotes& notes) {
   std::istringstream text(notes.texts.at("end_errors"));
   for (double time = 0, error = 0; text >> time >> error;)
     end_errors_.emplace_back(time, error);
+  if (const auto way = notes.numbers.find("way"); receivers_ && way != notes.numbers.end())
+    receivers_->resume(way->second);
 }
 
 void TowReport::summarise(const Step& last, Summary& summary) const {

@@ -1,5 +1,6 @@
 #pragma once
 // Positioning errors of a towed cable and the force at its tow point.
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -50,13 +51,18 @@ class TowReport : public Report {
  private:
   std::vector<double> measure(const Step& step) override;
   Force tow_force(const std::vector<double>& reactions, const std::vector<double>& axis) const;
-  /// Unit vector in the plane z = 0 that points where the tow point goes.
-  std::vector<double> axis(double time) const;
+  /// Unit vector in the plane z = 0 that points where the tow point goes. Collective.
+  std::vector<double> axis(const State& state) const;
+  /// The same where the deck says it for all times: without course="motion".
+  std::vector<double> axis_as_said(double time) const;
+  bool follows_motion() const { return deck_.course == TowDeck::Course::motion; }
+  /// m/s of the tow point, in the plane z = 0. Collective.
+  std::array<double, 2> motion(const State& state) const;
   /// Whether the deck says enough for one.
-  bool has_exact() const { return deck_.current && (track_ || deck_.speed); }
+  bool has_exact() const { return deck_.current && (follows_motion() || track_ || deck_.speed); }
   /// End error of a cable that is straight along the relative flow, m; on a track, of its course
-  /// and speed at that time. With has_exact().
-  double exact_end_error(double length, double time) const;
+  /// and speed at that time. With has_exact(). Collective.
+  double exact_end_error(double length, const State& state) const;
   void compare_motion(const Outlook& outlook, Diagnostics& diagnostics) const;
 
   const DofMap& dofs_;

@@ -8,6 +8,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/simulation/deck_language.hpp"
 #include "hawser/simulation/run_deck.hpp"
+#include "hawser/values/curve.hpp"
 #include "src/kept_case.hpp"
 #include "src/plugins.hpp"
 
@@ -23,8 +24,31 @@ std::vector<PlannedReport> plan_reports(const RunDeck& deck, const ReportRegistr
   return reports;
 }
 
-/// What the parameters leave to each other.
-void complete(RunDeck& deck, const Deck& text, const CaseOptions& options) {
+/// Lays the cable along its shape. Collective.
+void lay_along_shape(LineMesh& line, const Deck& text, Diagnostics& diagnostics) {
+  const std::string path = path_beside(text, line.shape);
+  const Location& where = line.shape.location;
+  constexpr std::size_t largest = 16U << 20U;  // bytes
+  const auto read = text.files->read(path, largest);
+  line.dimension = 2;
+  if (!read || read->size() > largest)
+    return diagnostics.error(
+        where, (read ? "larger than 16 MB: the shape " : "cannot read the shape ") + path);
+  const std::size_t before = diagnostics.error_count();
+  const Curve curve = read_curve(*read, path, diagnostics);
+  if (diagnostics.error_count() > before) return;
+  line.dimension = curve.dimension;
+  const double along = curve.arc_lengths.empty() ? curve.length() : curve.arc_lengths.back();
+  const std::string wrong = lay_line(curve.points, curve.dimension,
+                                     line.cable_length.value_or(along), line.segments, line.nodes);
+  if (!wrong.empty()) diagnostics.error(where, wrong);
+}
+
+/// What the parameters leave to each other. Collective.
+void complete(RunDeck& deck, const Deck& text, const CaseOptions& options,
+              Diagnostics& diagnostics) {
+  if (deck.mesh.line && !deck.mesh.line->shape->empty())
+    lay_along_shape(*deck.mesh.line, text, diagnostics);
   if (!options.expects) deck.expectations.clear();
   TimeDeck& time = deck.time;
   if (options.end) time.end = *options.end;
@@ -76,7 +100,7 @@ std::shared_ptr<Case::Content> Case::read(const Environment& environment,
   const double end = content->deck.time.end;
   if (options.end && *options.end < end) content->end_of_deck = end;
   if (options.end) set_end(content->text.root, *options.end);
-  complete(content->deck, content->text, options);
+  complete(content->deck, content->text, options, diagnostics);
   const Communicator& communicator = environment.communicator();
   const std::vector<PluginDeck>& plugins = content->deck.plugins;
   rehearse_plugins(communicator, environment.plugin_folder, plugins, content->registries,
@@ -141,7 +165,7 @@ Case Case::changed(const std::vector<DeckChange>& changes) const {
               RunDeck()});
   content->end = content_->end;
   content->deck = RunDeck::spec().read(content->text.root, diagnostics);
-  complete(content->deck, content->text, {{}, content->end, false});
+  complete(content->deck, content->text, {{}, content->end, false}, diagnostics);
   content->plugins = content_->plugins;
   content->make_modules(diagnostics);
   content->reports = plan_reports(content->deck, content->registries.reports, diagnostics);
@@ -165,6 +189,7 @@ const std::string& Case::home() const { return content_->home; }
 std::optional<double> Case::end() const { return content_->end; }
 std::optional<double> Case::end_of_deck() const { return content_->end_of_deck; }
 bool Case::has_mesh_file() const { return deck().mesh.file.has_value(); }
+bool Case::has_line_mesh() const { return deck().mesh.line.has_value(); }
 
 std::string Case::resolved_deck() const {
   return hawser::resolved_deck(text().root, deck_language(content_->registries));

@@ -1,6 +1,8 @@
 #pragma once
 // Meshes made from parameters, by the program hawser_mesher: gmsh is GPL and stays out of this
 // process.
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,12 +35,24 @@ struct WaterBox {
   static Spec<WaterBox> spec();
 };
 
-/// A straight line alone, in the plane or in space.
+/// A line alone, in the plane or in space: straight, or laid along a curve.
 struct LineMesh {
   std::vector<double> from, to;  ///< 2 or 3 coordinates, m
   int segments = 1;
+  Located<std::string> shape = {};          ///< file of the curve; empty: straight
+  std::optional<double> cable_length = {};  ///< m, of a line along a curve; none: the curve's
+  /// m, [node][2 or 3] of a line along a curve, which whoever can read the file fills.
+  std::vector<double> nodes = {};
+  int dimension = 0;  ///< of the nodes
   static Spec<LineMesh> spec();
 };
+
+/// Nodes [node][dimension] along the polyline `points`, from its first point on, each as far from
+/// the one before as the segments are long: a cable of `length`, laid out without strain. The last
+/// one lies straight on where the curve ends less than half a segment early. Sets `nodes` and
+/// returns "", or says why it cannot be.
+std::string lay_line(const std::vector<std::array<double, 3>>& points, int dimension, double length,
+                     int segments, std::vector<double>& nodes);
 
 /// A geometry in gmsh's own language, meshed in the plane.
 struct GeoMesh {

@@ -45,6 +45,7 @@ class Case {
   const Communicator& communicator() const;
   std::string resolved_deck() const;  ///< XML with every default
   bool has_mesh_file() const;         ///< the deck names one
+  bool has_line_mesh() const;         ///< which is made at once, without the mesher
 
   const Deck& text() const;     ///< as read, what it extends and the changes worked in
   const RunDeck& deck() const;  ///< as parameters
