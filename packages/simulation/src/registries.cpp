@@ -1,6 +1,7 @@
 #include "hawser/simulation/registries.hpp"
 
 #include "ale_fluid.hpp"
+#include "body.hpp"
 #include "buoyancy.hpp"
 #include "cable.hpp"
 #include "eddy_viscosity.hpp"
@@ -17,6 +18,7 @@ namespace hawser {
 Registries built_in() {
   Registries known;
   register_ale_fluid(known.modules);
+  register_body(known.modules);
   register_buoyancy(known.modules);
   register_cable(known.modules);
   register_eddy_viscosity(known.modules);
