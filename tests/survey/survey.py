@@ -25,7 +25,7 @@ GROUP = "Systems of lines"
 def run(deck, name, *options, ranks=1, **parameters):
     """Exit code, summary and history (columns by name) of a deck of inputs/survey."""
     folder = BUILD / "tests/run/survey" / name
-    command = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
+    command = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
     command += [BUILD / "bin/hawser", "run", SOURCE / f"inputs/survey/{deck}.xml", "-o", folder, "--force", "--quiet"]
     for parameter, value in parameters.items():
         command += ["--set", f"{parameter}={value}"]
@@ -88,6 +88,14 @@ class Quick(unittest.TestCase):
                                  value=errors[-1], reference=0, tolerance=1e-6, source="exact"))
         for coarse, fine in zip(errors, errors[1:]):
             self.assertAlmostEqual(coarse / fine, 4, delta=0.3)
+
+    def test_catenary_that_touches_down(self):
+        length, span, height, weight = 300, 260, 100, 100
+        a = brentq(lambda a: length - span - np.sqrt(height**2 + 2 * a * height) + a * np.arccosh(height / a + 1), 1, 1e5)
+        summary, _ = run("touch_down", "touch_down")
+        self.assertTrue(remember("touch_down", "catenary that touches down, pull, 300 segments", unit="N",
+                                 value=summary["anchor_force_along_n"], reference=weight * a, tolerance=2e-4 * weight * a,
+                                 source="closed form, without stretch, 0.02 %"))
 
     def test_circle(self):
         exact = tow_reference.circle()

@@ -48,6 +48,8 @@ const Snippets snippets = {
      R"x(<body on="tail" mass="30" added-mass="20" gravity="1 -9.81" submerged-weight="70" drag-area="0.4"
                current="0.4*cos(y + t); 0.3 + 0.1*x"><lift direction="1 2" area="0.3"/></body>
          <cable region="cable"/>)x"},
+    {"sea-bed",
+     R"x(<sea-bed region="cable" level="1 + 0.2*x" stiffness="1e3" friction="0.4"/><cable region="cable"/>)x"},
     {"mesh-motion", R"x(<mesh-motion region="water" reference="incremental"/>)x"},
     {"mesh-motion", R"x(<mesh-motion region="water" reference="total"/>)x"},
     {"mesh-motion", R"x(<mesh-motion region="water" body-force="sin(x)*Y; 2*x*y"/>)x"},
@@ -98,12 +100,14 @@ const Snippets snippets_in_space = {
      R"(<body on="tail" mass="30" added-mass="20" gravity="1 2 -9.81" drag-area="0.4"
               current="0.4*cos(y + t); 0.3 + 0.1*x; z*z"><lift direction="1 2 -3" area="0.3"/>
               <lift direction="0 0 -1" area="0.2"/></body>
-        <cable region="cable"/>)"}};
+        <cable region="cable"/>)"},
+    {"sea-bed", R"(<sea-bed region="cable" level="1 + 0.2*sin(x + y)" stiffness="1e3" friction="0.4"
+                     creep-speed="0.3"/><cable region="cable"/>)"}};
 
 ModuleRegistry all_modules_there_are() {
   Registries registries = built_in();
-  load_plugin("heat", HAWSER_TEST_PLUGINS, registries);
-  return registries.modules;
+load_plugin("heat", HAWSER_TEST_PLUGINS, registries);
+return registries.modules;
 }
 
 Mesh small_tow() {

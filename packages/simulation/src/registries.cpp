@@ -9,6 +9,7 @@
 #include "mesh_motion.hpp"
 #include "porous_zone.hpp"
 #include "property.hpp"
+#include "sea_bed.hpp"
 #include "solid.hpp"
 #include "tow.hpp"
 #include "transport.hpp"
@@ -25,6 +26,7 @@ Registries built_in() {
   register_mesh_motion(known.modules);
   register_porous_zone(known.modules);
   register_property(known.modules);
+  register_sea_bed(known.modules);
   register_solid(known.modules);
   register_transport(known.modules);
   register_tow(known.reports);
