@@ -82,8 +82,8 @@ class Reference(unittest.TestCase):
         self.assertIn("modules/ale-fluid/density, attribute", printed("describe", "modules/ale-fluid/density"))
         self.assertIn("  mesh/tow-box/min\n  mesh/water-box/min\n", printed("describe", "min"))
         self.assertTrue(printed("describe", "heat", *WITH_PLUGINS).startswith("<heat>"))
-        self.assertIn("modules: ale-fluid, buoyancy, cable, eddy-viscosity, heat-transport, mesh-motion, porous-zone, property, "
-                      "scalar-transport, solid", printed("describe"))
+        self.assertIn("modules: ale-fluid, body, buoyancy, cable, eddy-viscosity, heat-transport, mesh-motion, porous-zone, property, "
+                      "scalar-transport, sea-bed, solid", printed("describe"))
 
     def test_an_unknown_name(self):
         done = harness.hawser(1, "describe", "cabel")

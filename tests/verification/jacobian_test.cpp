@@ -44,6 +44,12 @@ const Snippets snippets = {
           <drag current="0.4*cos(y + t); 0.3 + 0.1*x" diameter="0.1" tangential-coefficient="0.4"/>
           <point-load on="tail" force="30*sin(2*x); 20*x*y"/>
         </cable>)x"},
+    {"body",
+     R"x(<body on="tail" mass="30" added-mass="20" gravity="1 -9.81" submerged-weight="70" drag-area="0.4"
+               current="0.4*cos(y + t); 0.3 + 0.1*x"><lift direction="1 2" area="0.3"/></body>
+         <cable region="cable"/>)x"},
+    {"sea-bed",
+     R"x(<sea-bed region="cable" level="1 + 0.2*x" stiffness="1e3" friction="0.4"/><cable region="cable"/>)x"},
     {"mesh-motion", R"x(<mesh-motion region="water" reference="incremental"/>)x"},
     {"mesh-motion", R"x(<mesh-motion region="water" reference="total"/>)x"},
     {"mesh-motion", R"x(<mesh-motion region="water" body-force="sin(x)*Y; 2*x*y"/>)x"},
@@ -89,12 +95,19 @@ const Snippets snippets_in_space = {
           <drag current="0.4*cos(y + t); 0.3 + 0.1*x; 0.2*z" diameter="0.1"
                 tangential-coefficient="0.4"/>
           <point-load on="tail" force="30*sin(2*x); 20*x*y; t"/>
-        </cable>)"}};
+        </cable>)"},
+    {"body",
+     R"(<body on="tail" mass="30" added-mass="20" gravity="1 2 -9.81" drag-area="0.4"
+              current="0.4*cos(y + t); 0.3 + 0.1*x; z*z"><lift direction="1 2 -3" area="0.3"/>
+              <lift direction="0 0 -1" area="0.2"/></body>
+        <cable region="cable"/>)"},
+    {"sea-bed", R"(<sea-bed region="cable" level="1 + 0.2*sin(x + y)" stiffness="1e3" friction="0.4"
+                     creep-speed="0.3"/><cable region="cable"/>)"}};
 
 ModuleRegistry all_modules_there_are() {
   Registries registries = built_in();
-  load_plugin("heat", HAWSER_TEST_PLUGINS, registries);
-  return registries.modules;
+load_plugin("heat", HAWSER_TEST_PLUGINS, registries);
+return registries.modules;
 }
 
 Mesh small_tow() {

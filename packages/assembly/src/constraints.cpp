@@ -34,10 +34,13 @@ void Constraints::apply(const State& state, const Kinematics& kinematics,
     if (displacement >= assembler_.dofs().owned()) continue;
     const double right = kinematics.known[i] + kinematics.factor * value(velocity);
     if (finds_displacement(pairs[i], kinematics)) {
-      // v = 0: the way made in a second, judged against the displacement.
-      residual[static_cast<std::size_t>(displacement)] = value(velocity);
+      // v = 0, or that of the drift: the way made in a second, judged against the displacement.
+      const auto component = static_cast<std::size_t>(assembler_.dofs().info(velocity).component);
+      const double drift = state.drift[component];
+      residual[static_cast<std::size_t>(displacement)] = value(velocity) - drift;
       magnitude[static_cast<std::size_t>(displacement)] =
-          std::abs(value(velocity)) + std::abs(value(displacement)) + std::abs(right);
+          std::abs(value(velocity)) + std::abs(drift) + std::abs(value(displacement)) +
+          std::abs(right);
     } else {
       set(displacement, value(displacement), right);
     }

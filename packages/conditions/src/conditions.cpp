@@ -189,7 +189,7 @@ std::vector<PrescribedRow> Conditions::prescribed(const State& state, const Stat
 void Conditions::prescribe(const Entry& entry, const State& state, const State& end,
                            std::vector<PrescribedRow>& result) const {
   // The slack of step control: an end of a step this near to an edge is the edge.
-  const bool moves = std::isfinite(end.step);  // else steady: a place without a velocity
+  const bool moves = std::isfinite(end.step);  // else steady: no velocity but the drift
   const double slack = moves ? 1e-6 * end.step : 0;
   if (end.time <= entry.from + slack || end.time > entry.until + slack) return;
   const ValueSource& source = *entry.source;
@@ -212,7 +212,8 @@ void Conditions::prescribe(const Entry& entry, const State& state, const State& 
       if (velocity < 0) continue;
       if (!rates_known) source.time_derivative(at, rates.data());
       rates_known = true;
-      result.push_back({velocity, moves ? rates[c] : 0});
+      const auto axis = static_cast<std::size_t>(entry.first_component) + c;
+      result.push_back({velocity, moves ? rates[c] : end.drift[axis]});
     }
   }
 }

@@ -20,6 +20,29 @@ std::string read_table(const Communicator& communicator, const std::shared_ptr<I
   return *text;
 }
 
+/// A track in space: level.
+class LevelTrack : public ValueSource {
+ public:
+  explicit LevelTrack(std::shared_ptr<const Track> track) : track_(std::move(track)) {}
+  int components() const override { return 3; }
+  void value(const SpaceTime& at, double* values) const override {
+    track_->value(at, values);
+    values[2] = 0;
+  }
+  void time_derivative(const SpaceTime& at, double* rates) const override {
+    track_->time_derivative(at, rates);
+    rates[2] = 0;
+  }
+  void gradient(const SpaceTime& at, int component, double* slope) const override {
+    track_->gradient(at, component, slope);
+  }
+  bool depends_on_moved_position(int) const override { return false; }
+  using ValueSource::depends_on_moved_position;
+
+ private:
+  std::shared_ptr<const Track> track_;
+};
+
 }  // namespace
 
 Spec<ConditionDeck> FormulaSource::declare(Spec<ConditionDeck> spec) {
@@ -70,11 +93,13 @@ std::shared_ptr<const ValueSource> TableSource::make(const SourceContext& contex
 
 Spec<ConditionDeck> TrackSource::declare(Spec<ConditionDeck> spec) {
   return std::move(spec).attribute(attribute, &TrackSource::given, absent("no track"),
-                                   "The displacement along this <track>.");
+                                   "The displacement along this <track>; level in space.");
 }
 
 std::shared_ptr<const ValueSource> TrackSource::make(const SourceContext& context) const {
-  return find_track(context.named.tracks, *given, context.diagnostics);
+  auto track = find_track(context.named.tracks, *given, context.diagnostics);
+  if (!track || context.wanted.count != 3) return track;
+  return std::make_shared<LevelTrack>(std::move(track));
 }
 
 }  // namespace hawser

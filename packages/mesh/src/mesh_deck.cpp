@@ -91,16 +91,17 @@ Spec<MeshDeck> MeshDeck::spec() {
       .child(&P::tow_box)
       .child(&P::water_box)
       .child(&P::line)
+      .child(&P::lines)
       .child(&P::file)
       .child(&P::geo)
       .location(&P::location)
       .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
         if (int(p.tow_box.has_value()) + int(p.water_box.has_value()) + int(p.line.has_value()) +
-                int(p.file.has_value()) + int(p.geo.has_value()) !=
+                int(p.lines.has_value()) + int(p.file.has_value()) + int(p.geo.has_value()) !=
             1)
-          diagnostics.error(
-              where,
-              "<mesh> needs exactly one of <tow-box>, <water-box>, <line>, <file> and <geo>");
+          diagnostics.error(where,
+                            "<mesh> needs exactly one of <tow-box>, <water-box>, <line>, <lines>, "
+                            "<file> and <geo>");
       });
 }
 
@@ -141,6 +142,7 @@ Spec<LineMesh> LineMesh::spec() {
 
 int MeshDeck::dimension() const {
   if (line) return line->shape->empty() ? static_cast<int>(line->from.size()) : line->dimension;
+  if (lines) return lines->dimension();
   return file ? file->dimension : 2;
 }
 
@@ -149,6 +151,14 @@ std::string MeshDeck::generate(const Communicator& communicator, const std::stri
   if (geo) return generate_mesh(communicator, *geo, geometry, path);
   if (tow_box) return generate_mesh(communicator, *tow_box, path);
   if (water_box) return generate_mesh(communicator, *water_box, path);
+  if (lines) {
+    generate_mesh(communicator, *lines, path);
+    int segments = 0;
+    for (const auto& each : lines->lines)
+      segments += lines->segments(each);
+    return std::to_string(lines->lines.size()) + " lines of " + std::to_string(segments) +
+           " segments in all";
+  }
   generate_mesh(communicator, *line, path);
   return "a line of " + std::to_string(line->segments) + " segments";
 }

@@ -86,6 +86,25 @@ struct Case::Content {
 
 Case::Case(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
 
+namespace {
+
+void check_uniform_motion(const RunDeck& deck, Diagnostics& diagnostics) {
+  const auto& velocity = deck.start.equilibrium->velocity;
+  const auto dimension = static_cast<std::size_t>(deck.mesh.dimension());
+  if (velocity->size() != dimension)
+    diagnostics.error(velocity.location, "velocity has " + std::to_string(velocity->size()) +
+                                             " components, the mesh " + std::to_string(dimension));
+  if (deck.time.steady())
+    diagnostics.error(velocity.location,
+                      "a run with scheme=\"steady\" has no motion to start from; let the water "
+                      "come instead, with the current less this velocity");
+  if (deck.mesh.tow_box || deck.mesh.water_box)
+    diagnostics.error(velocity.location,
+                      "uniform motion is for a mesh of lines alone, without water around them");
+}
+
+}  // namespace
+
 std::shared_ptr<Case::Content> Case::read(const Environment& environment,
                                           const std::shared_ptr<InputFiles>& files,
                                           const std::string& deck, std::vector<DeckChange> changes,
@@ -110,6 +129,8 @@ std::shared_ptr<Case::Content> Case::read(const Environment& environment,
   communicator.together([&] { content->make_modules(diagnostics); });
   content->reports = plan_reports(content->deck, content->registries.reports, diagnostics);
   const auto& equilibrium = content->deck.start.equilibrium;
+  if (equilibrium && !equilibrium->velocity->empty())
+    check_uniform_motion(content->deck, diagnostics);
   if (equilibrium && equilibrium->continuation)
     equilibrium->continuation->check(content->text.root.names.get(), diagnostics);
   diagnostics.throw_if_any();

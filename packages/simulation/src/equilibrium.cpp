@@ -91,15 +91,20 @@ class Search {
         first_step_(options.relaxation_step),
         state_(system.problem->state()),
         time_(state_.time),
+        drift_(options.drift),
         steady_(system, TimeScheme::Method::steady, options.linear, options.newton),
         relaxing_(system, TimeScheme::Method::bdf2, options.linear, relaxed(options.newton)) {}
 
   State find() {
+    state_.drift = drift_;
     if (!settle()) {
       if (!relaxes_) throw SolveError(why_);
       relax();
     }
     std::fill(state_.rate.begin(), state_.rate.end(), 0.0);
+    for (const auto& pair : system_.assembler->kinematic_pairs())
+      state_.rate[static_cast<std::size_t>(pair.displacement)] = drift_of(pair);
+    state_.drift = {};
     state_.time = time_;
     return std::move(state_);
   }
@@ -151,13 +156,23 @@ class Search {
                      "<continuation> from an easier value of a parameter");
   }
 
-  /// With the conditions of the start: the step ends there.
+  double drift_of(const Assembler::KinematicPair& pair) const {
+    return drift_[static_cast<std::size_t>(system_.dofs->info(pair.velocity).component)];
+  }
+
+  /// With the conditions of the start: the step ends there. Seen from what drifts, structures begin
+  /// at rest.
   bool relaxed_by(double step, StartSolve& done) {
-    for (const auto& pair : system_.assembler->kinematic_pairs())
-      state_.value[static_cast<std::size_t>(pair.velocity)] = 0;
-    std::fill(state_.rate.begin(), state_.rate.end(), 0.0);
-    state_.time = time_ - step;
-    return relaxing_.solve(state_, step, done);
+    State moved = state_;
+    for (const auto& pair : system_.assembler->kinematic_pairs()) {
+      moved.value[static_cast<std::size_t>(pair.velocity)] = drift_of(pair);
+      moved.value[static_cast<std::size_t>(pair.displacement)] -= step * drift_of(pair);
+    }
+    std::fill(moved.rate.begin(), moved.rate.end(), 0.0);
+    moved.time = time_ - step;
+    if (!relaxing_.solve(moved, step, done)) return false;
+    state_ = std::move(moved);
+    return true;
   }
 
   /// Of fields that have inertia or a place, the largest of all, relative to the field; the
@@ -188,7 +203,8 @@ class Search {
   bool relaxes_;
   double first_step_;  // s, of the relaxation
   State state_;
-  double time_;  // s, of the start
+  double time_;                  // s, of the start
+  std::array<double, 3> drift_;  // m/s
   Solves steady_, relaxing_;
   std::string why_;  // the last solve found nothing
 };

@@ -10,6 +10,7 @@
 // (1998) 508-523) with the inertia that the modules themselves have. The length of the steps
 // follows from counts of Newton's iterations alone, so the same start twice is the same to the last
 // bit.
+#include <array>
 #include <functional>
 #include <string>
 
@@ -21,9 +22,10 @@ namespace hawser {
 
 struct EquilibriumOptions {
   LinearOptions linear;
-  NonlinearOptions newton;     ///< of the steady solves
-  double relaxation_step = 1;  ///< s, the first one
-  bool relaxes = true;         ///< else Newton's method alone
+  NonlinearOptions newton;        ///< of the steady solves
+  double relaxation_step = 1;     ///< s, the first one
+  std::array<double, 3> drift{};  ///< m/s, with which all of the state moves
+  bool relaxes = true;            ///< else Newton's method alone
 };
 
 /// From the system's state to the steady one under the conditions of its time. Every solve is told.

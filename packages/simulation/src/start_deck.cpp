@@ -44,7 +44,7 @@ Spec<EquilibriumDeck> EquilibriumDeck::spec() {
   using P = EquilibriumDeck;
   return Spec<P>("equilibrium",
                  "Solves for the steady state under the conditions and loads at the time of the "
-                 "start; the run begins there, at rest.")
+                 "start; the run begins there, at rest or in uniform motion.")
       .source("doc/decks.md, \"How a run starts\"")
       .attribute("tolerance", &P::tolerance, "1",
                  between(1e-15, 1e-1) && absent("that of <newton>"),
@@ -55,6 +55,9 @@ Spec<EquilibriumDeck> EquilibriumDeck::spec() {
                  positive() && absent("the step of <time>"),
                  "Length of the first step of the relaxation that takes over where Newton's "
                  "method finds no steady state; later ones are longer or shorter by its effort.")
+      .attribute("velocity", &P::velocity, "m/s", any() && length(2, 3) && absent("at rest"),
+                 "On a mesh of lines alone: all moves along with this velocity, as a tow that has "
+                 "gone straight on for long; what is prescribed must move so at the start, too.")
       .child(&P::continuation);
 }
 

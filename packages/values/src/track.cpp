@@ -28,7 +28,9 @@ Spec<TrackDeck> TrackDeck::spec() {
       .attribute("name", &P::name, required(), "What conditions and <tow> call it.")
       .attribute("speed", &P::speed, "m/s", required() && positive(), "On legs and in turns.")
       .attribute("start", &P::start, "s", any(), "When it sets out from the first way-point.")
-      .attribute("ramp", &P::ramp, "s", positive(), "Time from rest to its speed.")
+      .attribute("ramp", &P::ramp, "s", non_negative(),
+                 "Time from rest to its speed; 0 for one that is at its speed before the start, "
+                 "too, and passes the first way-point then.")
       .attribute("turn-radius", &P::turn_radius, "m", non_negative(),
                  "Of a turn at its tightest place.")
       .children(&P::way_points, required())
@@ -136,8 +138,12 @@ const Track::Piece& Track::piece_at(double distance) const {
   return after == pieces_.begin() ? pieces_.front() : *(after - 1);
 }
 
-double Track::distance(double time) const { return speed_ * ramp_distance(time, start_, ramp_); }
-double Track::speed(double time) const { return speed_ * ramp(time, start_, ramp_); }
+double Track::distance(double time) const {
+  return speed_ * (ramp_ > 0 ? ramp_distance(time, start_, ramp_) : time - start_);
+}
+double Track::speed(double time) const {
+  return ramp_ > 0 ? speed_ * ramp(time, start_, ramp_) : speed_;
+}
 
 std::array<double, 2> Track::position(double time) const {
   const double sailed = distance(time);

@@ -16,7 +16,8 @@ struct PrescribedRow {
   double slope[3] = {0, 0, 0};
 };
 
-/// d = known + factor v on every structure node that is not prescribed; at rest v = 0 instead, and
+/// d = known + factor v on every structure node that is not prescribed; at rest v = 0, or
+/// the state's drift, instead, and
 /// the balance of momentum, which then holds d, finds d.
 struct Kinematics {
   bool at_rest = false;       ///< in a steady solve

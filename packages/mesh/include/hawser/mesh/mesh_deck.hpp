@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hawser/mesh/generate.hpp"
+#include "hawser/mesh/line_system.hpp"
 
 namespace hawser {
 
@@ -21,6 +22,7 @@ struct MeshDeck {
   std::optional<TowBox> tow_box;
   std::optional<WaterBox> water_box;
   std::optional<LineMesh> line;
+  std::optional<LineSystem> lines;
   std::optional<MeshFileDeck> file;
   std::optional<GeoMesh> geo;
   Location location;

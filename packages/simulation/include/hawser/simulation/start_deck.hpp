@@ -2,6 +2,7 @@
 // What a deck says of <start>: where a run begins.
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hawser/deck/spec.hpp"
 
@@ -23,6 +24,7 @@ struct EquilibriumDeck {
   std::optional<double> tolerance;        ///< of Newton's method; the solver's when empty
   int max_iterations = 50;                ///< of Newton's method, per solve
   std::optional<double> relaxation_step;  ///< s, the first one; that of <time> when empty
+  Located<std::vector<double>> velocity;  ///< m/s, of a tow in uniform motion; empty: at rest
   std::optional<ContinuationDeck> continuation;
   static Spec<EquilibriumDeck> spec();
 };

@@ -24,7 +24,7 @@ struct TrackDeck {
   Located<std::string> name;
   double speed = 0;        ///< m/s
   double start = 0;        ///< s
-  double ramp = 100;       ///< s, from rest to speed
+  double ramp = 100;       ///< s, from rest to speed; 0: at its speed always
   double turn_radius = 0;  ///< m, at the tightest place; needed when there is a turn
   std::vector<WayPointDeck> way_points;
   static Spec<TrackDeck> spec();
