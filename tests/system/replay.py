@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from harness import DECKS, SCRATCH, Results, SystemTest, completed, hawser, main, run
+from harness import DECKS, SCRATCH, Results, SystemTest, completed, fresh, hawser, main
 
 def read_p190(path):
     """By the public description of UKOOA P1/90 alone, columns from 1: per shot its number, seconds since the first one,
@@ -53,7 +53,8 @@ def utm(latitude, longitude, zone):
 class Replay(SystemTest):
     @classmethod
     def setUpClass(cls):
-        sailed = run("sailed", DECKS / "sailed.xml")
+        sailed = Results(fresh("sailed"))
+        completed(1, "run", DECKS / "sailed.xml", "-o", sailed.folder, "-q", seconds=180)
         cls.folder = sailed.folder
         cls.rows = sailed.table("receivers.csv")
         cls.shots = read_p190(cls.folder / "line.p190")
@@ -106,7 +107,7 @@ class Replay(SystemTest):
             self.assertIn(words, headers)
 
     def test_a_twin_is_found_again(self):
-        found, _ = self.replayed(self.csv, "twin", "--smooth", "0", "--shape-smooth", "0", "--spacing", "25", "--set", "tail_drag_area=0.3", "--fit", "ct,current_east,current_north", "--segments", "30", "--step", "10")
+        found, _ = self.replayed(self.csv, "twin", "--smooth", "0", "--shape-smooth", "0", "--spacing", "25", "--set", "tail_drag_area=0.3", "--fit", "ct,current_east,current_north", "--segments", "30")
         values = {p["name"]: p["value"] for p in found["fit"]["parameters"]}
         self.assertLess(found["model"]["rms_m"], 1)
         self.assertGreater(found["path_in_the_water"]["rms_m"], 30)
