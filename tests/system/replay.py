@@ -54,7 +54,7 @@ class Replay(SystemTest):
     @classmethod
     def setUpClass(cls):
         sailed = Results(fresh("sailed"))
-        completed(1, "run", DECKS / "sailed.xml", "-o", sailed.folder, "-q", seconds=180)
+        completed(1, "run", DECKS / "sailed.xml", "-o", sailed.folder, "-q", seconds=600)
         cls.folder = sailed.folder
         cls.rows = sailed.table("receivers.csv")
         cls.shots = read_p190(cls.folder / "line.p190")
@@ -68,7 +68,7 @@ class Replay(SystemTest):
 
     def replayed(self, line, name, *options, ranks=1):
         folder = SCRATCH / name
-        done = completed(ranks, "replay", line, "-o", folder, "-f", *options, seconds=180)
+        done = completed(ranks, "replay", line, "-o", folder, "-f", *options, seconds=600)
         return json.loads((folder / "replay.json").read_text()), done.stdout
 
     def test_tangents_are_exact(self):
@@ -127,7 +127,7 @@ class Replay(SystemTest):
         folder = SCRATCH / "deck"
         self.assertIn('name="diameter" value="0.05 m"', (folder / "deck.xml").read_text())
         completed(1, "check", folder / "deck.xml")
-        completed(2, "run", folder / "deck.xml", "-o", folder / "run", "-f", "-q", seconds=180)
+        completed(2, "run", folder / "deck.xml", "-o", folder / "run", "-f", "-q", seconds=600)
         ran, told = Results(folder / "run").table("receivers.csv"), Results(folder).table("residuals.csv")
         for name in "x_m", "y_m":
             np.testing.assert_allclose(ran[name], told["model_" + name], atol=1e-3)  # of three decimals
