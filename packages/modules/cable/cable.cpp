@@ -80,7 +80,8 @@ struct Cable : CableProperties {
         .source("packages/modules/cable/theory.md")
         .attribute("region", &P::region, required(),
                    "Line regions of the cable; where two of them meet end to end it goes on.")
-        .attribute("mass-per-length", &P::mass, "kg/m", positive(), "Inertia per length.")
+        .attribute("mass-per-length", &P::mass, "kg/m", non_negative(),
+                   "Inertia per length; 0 for a line that has only that of the water around it.")
         .attribute("axial-stiffness", &P::axial_stiffness, "N", positive(), "Axial stiffness EA.")
         .attribute("bending-stiffness", &P::bending_stiffness, "N m^2", non_negative(),
                    "EI; with 0 the tail of a towed cable flaps under any refinement.")
