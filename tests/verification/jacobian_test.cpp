@@ -101,13 +101,14 @@ const Snippets snippets_in_space = {
               current="0.4*cos(y + t); 0.3 + 0.1*x; z*z"><lift direction="1 2 -3" area="0.3"/>
               <lift direction="0 0 -1" area="0.2"/></body>
         <cable region="cable"/>)"},
-    {"sea-bed", R"(<sea-bed region="cable" level="1 + 0.2*sin(x + y)" stiffness="1e3" friction="0.4"
-                     creep-speed="0.3"/><cable region="cable"/>)"}};
+    {"sea-bed",
+     R"x(<sea-bed region="cable" level="1 + 0.2*sin(x + y)" stiffness="1e3" friction="0.4"
+                     creep-speed="0.3"/><cable region="cable"/>)x"}};
 
 ModuleRegistry all_modules_there_are() {
   Registries registries = built_in();
-load_plugin("heat", HAWSER_TEST_PLUGINS, registries);
-return registries.modules;
+  load_plugin("heat", HAWSER_TEST_PLUGINS, registries);
+  return registries.modules;
 }
 
 Mesh small_tow() {
