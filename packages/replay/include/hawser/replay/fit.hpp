@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "hawser/replay/comparison.hpp"
-#include "hawser/replay/replay_deck.hpp"
+#include "hawser/replay/deck_of_line.hpp"
 
 namespace hawser {
 

@@ -1,4 +1,4 @@
-#include "hawser/replay/replay_deck.hpp"
+#include "hawser/replay/deck_of_line.hpp"
 
 #include <fmt/format.h>
 
