@@ -41,7 +41,7 @@ struct Body {
   std::optional<double> submerged_weight;
   Located<Expressions> current;
   double density = 1025;
-  double drag_area = 0;
+  std::optional<double> drag_area;
   std::vector<LiftDeck> lifts;
 
   static Spec<Body> spec() {
@@ -63,13 +63,13 @@ struct Body {
         .attribute("current", &P::current, "m/s", any() && absent("still water"),
                    "A number or expression per direction, of x y z (moved), X Y Z (reference), t.")
         .attribute("density", &P::density, "kg/m^3", positive(), "Of the water.")
-        .attribute("drag-area", &P::drag_area, "m^2", non_negative(),
+        .attribute("drag-area", &P::drag_area, "m^2", non_negative() && absent("none"),
                    "Drag coefficient times area, of rho CdA |u| u / 2.")
         .children(&P::lifts)
         .check([](const P& p, const Location& where, Diagnostics& diagnostics) {
           if (p.submerged_weight && size(p.gravity) == 0)
             diagnostics.error(where, "submerged-weight needs gravity, which says where down is");
-          if (!p.current.value.empty() && p.drag_area == 0 && p.lifts.empty())
+          if (!p.current.value.empty() && !p.drag_area && p.lifts.empty())
             diagnostics.error(p.current.location,
                               "a current does nothing to a body without drag-area and <lift>");
         });
@@ -82,7 +82,7 @@ PhysicsModule make_body(const Body& deck) {
   body.mass = deck.mass;
   body.added_mass = deck.added_mass;
   body.density = deck.density;
-  body.drag_area = deck.drag_area;
+  body.drag_area = deck.drag_area.value_or(0);
   body.current = deck.current.value;
   if (!deck.gravity.value.empty()) {
     const double factor =

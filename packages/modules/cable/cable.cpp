@@ -11,22 +11,8 @@
 namespace hawser {
 namespace {
 
-struct Drogue {
-  Domain on;
-  double area = 0;
-
-  static Spec<Drogue> spec() {
-    using P = Drogue;
-    return Spec<P>("drogue", "Drag of something at a point of the cable that has no mass.")
-        .attribute("on", &P::on, required(), "Point regions.")
-        .attribute("drag-area", &P::area, "m^2", required() && non_negative(),
-                   "Drag coefficient times area, of rho A |u| u / 2.");
-  }
-};
-
 struct Drag : DragProperties {
   Located<Expressions> current;
-  std::vector<Drogue> drogues;
 
   static Spec<Drag> spec() {
     using P = Drag;
@@ -44,8 +30,7 @@ struct Drag : DragProperties {
                    "Of rho Ct pi D |u_t| u_t / 2.")
         .attribute("added-mass-coefficient", &P::added_mass, "1", non_negative(),
                    "Added mass across the cable relative to the displaced mass; 1 is a cylinder in "
-                   "ideal flow.")
-        .children(&P::drogues);
+                   "ideal flow.");
   }
 };
 
@@ -143,14 +128,9 @@ PhysicsModule make_cable(const Cable& deck) {
     module.kernels.push_back(std::make_unique<CableLoadKernel<D>>(deck.region, deck.load.value));
   for (const PointLoad& load : deck.point_loads)
     module.kernels.push_back(std::make_unique<PointLoadKernel<D>>(load.on, load.force.value));
-  if (deck.drag) {
-    const Expressions& current = deck.drag->current.value;
+  if (deck.drag)
     module.kernels.push_back(
-        std::make_unique<CableDragKernel<D>>(deck.region, *deck.drag, current));
-    for (const Drogue& drogue : deck.drag->drogues)
-      module.kernels.push_back(
-          std::make_unique<DrogueKernel<D>>(drogue.on, drogue.area, deck.drag->density, current));
-  }
+        std::make_unique<CableDragKernel<D>>(deck.region, *deck.drag, deck.drag->current.value));
   if (deck.bending_stiffness == 0) return module;
   module.kernels.push_back(
       std::make_unique<BendingKernel<D>>(Domain::patches(deck.region), deck.bending_stiffness));

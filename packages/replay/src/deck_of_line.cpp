@@ -67,10 +67,9 @@ std::string replay_deck(const MeasuredLine& line, const std::vector<ReplayParame
   <modules>
     <cable region="cable" mass-per-length="mass" axial-stiffness="stiffness">
       <drag current="current_east; current_north" density="density" diameter="diameter" normal-coefficient="cn"
-            tangential-coefficient="ct" added-mass-coefficient="ca">
-        <drogue on="tail" drag-area="tail_drag_area"/>
-      </drag>
+            tangential-coefficient="ct" added-mass-coefficient="ca"/>
     </cable>
+    <body on="tail" mass="0 kg" drag-area="tail_drag_area" current="current_east; current_north" density="density"/>
   </modules>
   <conditions>
     <prescribe name="tow" field="displacement" on="tow-point" table="head"/>
