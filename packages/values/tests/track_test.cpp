@@ -51,6 +51,16 @@ TEST(Track, StartsAtTheFirstWayPointAndFollowsTheLegs) {
   EXPECT_NEAR(displacement[0], -530, 1e-9);
 }
 
+TEST(Track, IsUnderWayAtItsStartWithoutARamp) {
+  TrackDeck under_way = deck({{10, 20}, {10, 1000}});
+  under_way.ramp = 0;
+  const Track track(under_way);
+  EXPECT_NEAR(track.position(50)[1], 20, 1e-12);
+  EXPECT_NEAR(track.position(0)[1], 20 - 2 * 50, 1e-12);
+  EXPECT_NEAR(track.velocity(0)[1], 2, 1e-15);
+  EXPECT_NEAR(track.position(150)[1], 20 + 2 * 100, 1e-12);
+}
+
 // Differences of position, velocity and acceleration over a step shrink with the step everywhere,
 // the joints of ramps, legs and turns included: C2, with bounded third differences.
 TEST(Track, IsTwiceContinuouslyDifferentiable) {
