@@ -19,7 +19,7 @@ namespace {
 const char* const points = "SVTGQACEZ";  ///< records of a point; a shot begins with S, or else V
 constexpr double day = 86400;            // s
 
-std::string trimmed(std::string text) {
+std::string trimmed(const std::string& text) {
   const auto from = text.find_first_not_of(' ');
   if (from == std::string::npos) return "";
   return text.substr(from, text.find_last_not_of(' ') - from + 1);
