@@ -83,7 +83,7 @@ bool is_leap(int year) { return (year % 4 == 0 && year % 100 != 0) || year % 400
 }  // namespace
 
 std::string read_clock(const std::string& text, double& seconds) {
-  const char* const needed = "needed is a date and a time of UTC, such as 2026-05-03T10:00:00Z";
+  std::string needed = "needed is a date and a time of UTC, such as 2026-05-03T10:00:00Z";
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, read = 0;
   if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d:%2dZ%n", &year, &month, &day, &hour, &minute,
                   &second, &read) != 6 ||
