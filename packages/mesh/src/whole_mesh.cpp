@@ -124,13 +124,17 @@ class Numbering {
       region.cell_ids.push_back(region.size());
       add_cell(mesh, region, element);
     }
+    std::vector<Region> filled;
     for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
       if (mesh.regions[r].size() == 0) {
-        throw MeshError(file_.path + ": the physical group '" + mesh.regions[r].name +
-                        "' has no elements");
+        mesh.notes.push_back("physical group '" + mesh.regions[r].name +
+                             "' of the mesh file has no elements and is left out");
+        continue;
       }
       refuse_repetition(mesh.regions[r], elements_[r]);
+      filled.push_back(std::move(mesh.regions[r]));
     }
+    mesh.regions = std::move(filled);
   }
 
   void add_cell(const Mesh& mesh, Region& region, const MshElement& element) {

@@ -91,8 +91,6 @@ INSTANTIATE_TEST_SUITE_P(
               "order are read: mesh with gmsh -2 -order 1"},
         Fault{"Again", "2\n1 1 2", "3\n7 1 2 1 1 2 1\n1 1 2",
               ":19: element 1 of 'wall' has the same nodes as element 7"},
-        Fault{"EmptyGroup", "1 1 2 1 1 1 2", "1 1 2 0 1 1 2",
-              ": the physical group 'wall' has no elements"},
         Fault{"SameName", "\"water\"", "\"wall\"", ":7: two physical groups are named 'wall'"},
         Fault{"Slash", "\"wall\"", "\"a/b\"",
               ":6: the name 'a/b' of a physical group is empty or holds a slash"},
@@ -140,6 +138,18 @@ TEST(Malformed, SlitThatIsNoLine) {
   EXPECT_THAT(
       [] { read_text(Communicator(), good, {"cable"}); },
       testing::ThrowsMessage<MeshError>("the mesh has no region 'cable'; it has wall, water"));
+}
+
+/// A name that a geometry's author left without a curve is no reason to refuse the mesh.
+TEST(EmptyGroup, IsLeftOutWithANote) {
+  auto text = good;
+  text.replace(text.find("2\n1 1 \"wall\""), 1, "3\n1 7 \"nothing\"");
+  const Mesh mesh = read_text(Communicator(), text);
+  EXPECT_EQ(mesh.regions.size(), 2U);
+  if (mesh.communicator.rank() == 0) {
+    EXPECT_THAT(mesh.notes, testing::Contains("physical group 'nothing' of the mesh file has no "
+                                              "elements and is left out"));
+  }
 }
 
 }  // namespace
