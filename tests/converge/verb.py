@@ -62,6 +62,21 @@ class Converge(harness.SystemTest):
         for coarse, fine in nodes.values():
             self.assertLess(3 * coarse, fine + 20)
 
+    def test_a_geometry_is_refined_by_cutting_its_cells(self):
+        path = deck("geometry", inside='<converge levels="3"><order quantity="d_error_l2" at-least="1.9" why="linear"/></converge>')
+        path.write_text(path.read_text().replace('<water-box min="0 0" max="2 1" cells="2 1"/>', '<geo file="box.geo"/>'))
+        (path.parent / "box.geo").write_text("""Point(1) = {0, 0, 0, 0.5}; Point(2) = {2, 0, 0, 0.5}; Point(3) = {2, 1, 0, 0.5}; Point(4) = {0, 1, 0, 0.5};
+            Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1, 2, 3, 4};
+            Plane Surface(1) = {1}; Physical Surface("water") = {1}; Physical Curve("bottom") = {1};
+            Physical Curve("rest") = {2, 3, 4};
+""")
+        folder = fresh("geometry")
+        completed(1, "converge", path, "-o", folder)
+        with open(folder / "converge.csv", newline="") as file:
+            nodes = [int(row["nodes"]) for row in csv.DictReader(file)]
+        for coarse, fine in zip(nodes, nodes[1:]):
+            self.assertLess(3 * coarse, fine + 20)
+
     def test_norms_are_those_of_the_moved_region(self):
         # d = (X, 0) stretches the box to 4 x 1 and its bottom to a length of 4; off by (0.5, 0) from 0.5 X.
         result = harness.run("norms", deck("norms", exact="X; 0", inside="""

@@ -12,6 +12,7 @@ DeckChange finer_mesh(const MeshDeck& mesh, int level) {
     return {"mesh/tow-box/refinements", write_value(mesh.tow_box->refinements + level)};
   if (mesh.water_box)
     return {"mesh/water-box/refinements", write_value(mesh.water_box->refinements + level)};
+  if (mesh.geo) return {"mesh/geo/refinements", write_value(mesh.geo->refinements + level)};
   if (mesh.lines) return {"mesh/lines/refinements", write_value(mesh.lines->refinements + level)};
   if (mesh.line) return {"mesh/line/segments", write_value(mesh.line->segments << level)};
   throw DeckError(mesh.file->name.location.text() +
