@@ -9,6 +9,7 @@ ctest knows count. A row whose test was not run here stays as it is, and its num
 """
 import argparse
 import json
+import math
 import re
 import subprocess
 import sys
@@ -26,8 +27,10 @@ build folder; `ctest -L slow` has the longer ones). How the tests are written: [
 """
 
 
-def number(value):
-    return f"{value:.4g}"
+def number(value, tolerance=0):
+    """Four digits, or as many as tell a hundredth of the tolerance."""
+    digits = math.ceil(math.log10(abs(value) / tolerance)) + 2 if value and tolerance else 4
+    return f"{value:.{min(max(digits, 4), 12)}g}"
 
 
 def holds(row):
@@ -99,8 +102,8 @@ def table(rows, others):
     for row in rows:
         unit = "" if row["unit"] in ("", "1") else " " + row["unit"]
         allowed = {"within": "± ", "at-least": "at least − ", "at-most": "at most + "}[row["is"]] + number(row["tolerance"])
-        named.append((row["name"], f"| <!-- {row['name']} -->{row['what']} | {number(row['value'])}{unit}"
-                      f" | {number(row['reference'])} | {allowed} | {row['source']} | `{row['command']}` |"))
+        named.append((row["name"], f"| <!-- {row['name']} -->{row['what']} | {number(row['value'], row['tolerance'])}{unit}"
+                      f" | {number(row['reference'], row['tolerance'])} | {allowed} | {row['source']} | `{row['command']}` |"))
     return "\n".join(lines + [line for _, line in sorted(named)]) + "\n"
 
 
