@@ -5,6 +5,7 @@
 
 #include "body_kernel.hpp"
 #include "hawser/physics/module_registry.hpp"
+#include "hawser/physics/vector_parameters.hpp"
 
 namespace hawser {
 namespace {
@@ -84,12 +85,7 @@ PhysicsModule make_body(const Body& deck) {
   body.density = deck.density;
   body.drag_area = deck.drag_area.value_or(0);
   body.current = deck.current.value;
-  if (!deck.gravity.value.empty()) {
-    const double factor =
-        deck.submerged_weight ? *deck.submerged_weight / size(deck.gravity) : deck.mass;
-    for (int i = 0; i < D; ++i)
-      body.weight[i] = factor * deck.gravity.value[static_cast<std::size_t>(i)];
-  }
+  body.weight = weight_in_water<D>(deck.gravity, deck.submerged_weight, deck.mass);
   for (const LiftDeck& lift : deck.lifts) {
     Lift<D> made;
     made.area = lift.area;
@@ -105,11 +101,7 @@ PhysicsModule make_body(const Body& deck) {
 PhysicsModule make_body_in(const Body& deck, const ModuleContext& context,
                            Diagnostics& diagnostics) {
   const auto check_length = [&](const auto& vector, const std::string& name) {
-    const std::size_t given = vector.value.size();
-    if (given != 0 && given != static_cast<std::size_t>(context.dimension))
-      diagnostics.error(vector.location, name + " has " + std::to_string(given) +
-                                             " components, the mesh " +
-                                             std::to_string(context.dimension));
+    check_components(vector, name, context.dimension, diagnostics);
   };
   check_length(deck.gravity, "gravity");
   check_length(deck.current, "current");

@@ -6,6 +6,7 @@
 #include "bending_kernel.hpp"
 #include "drag_kernel.hpp"
 #include "hawser/physics/module_registry.hpp"
+#include "hawser/physics/vector_parameters.hpp"
 #include "load_kernel.hpp"
 
 namespace hawser {
@@ -104,26 +105,11 @@ struct Cable : CableProperties {
   }
 };
 
-/// N per length.
-template <int D>
-Vector<double, D> weight(const Cable& deck) {
-  Vector<double, D> result;
-  if (deck.gravity.value.empty()) return result;
-  double squared = 0;
-  for (const double g : deck.gravity.value)
-    squared += g * g;
-  const double factor = deck.submerged_weight && squared > 0
-                            ? *deck.submerged_weight / std::sqrt(squared)
-                            : deck.mass;
-  for (int i = 0; i < D; ++i)
-    result[i] = factor * deck.gravity.value[static_cast<std::size_t>(i)];
-  return result;
-}
-
 template <int D>
 PhysicsModule make_cable(const Cable& deck) {
   PhysicsModule module{"cable", "structure", {}, {}};
-  module.kernels.push_back(std::make_unique<CableKernel<D>>(deck.region, deck, weight<D>(deck)));
+  module.kernels.push_back(std::make_unique<CableKernel<D>>(
+      deck.region, deck, weight_in_water<D>(deck.gravity, deck.submerged_weight, deck.mass)));
   if (!deck.load.value.empty())
     module.kernels.push_back(std::make_unique<CableLoadKernel<D>>(deck.region, deck.load.value));
   for (const PointLoad& load : deck.point_loads)
@@ -143,11 +129,7 @@ PhysicsModule make_cable(const Cable& deck) {
 PhysicsModule make_cable_in(const Cable& deck, const ModuleContext& context,
                             Diagnostics& diagnostics) {
   const auto check_length = [&](const auto& vector, const std::string& name) {
-    const std::size_t given = vector.value.size();
-    if (given != 0 && given != static_cast<std::size_t>(context.dimension))
-      diagnostics.error(vector.location, name + " has " + std::to_string(given) +
-                                             " components, the mesh " +
-                                             std::to_string(context.dimension));
+    check_components(vector, name, context.dimension, diagnostics);
   };
   check_length(deck.gravity, "gravity");
   check_length(deck.load, "load");

@@ -8,6 +8,7 @@
 #include "hawser/base/tensor.hpp"
 #include "hawser/physics/element_kernel.hpp"
 #include "hawser/physics/place_function.hpp"
+#include "hawser/physics/segment_points.hpp"
 
 namespace hawser {
 
@@ -39,8 +40,8 @@ class SeaBedKernel : public ElementKernel<SeaBedKernel<D>> {
   template <class Element, class T>
   void element_residual(const Element& at, T* out) const {
     using std::sqrt;
-    for (int p = 0; p < points; ++p) {
-      const Point<T> point(*this, at, p);
+    for (const GaussPoint& on_segment : three_points) {
+      const Point<T> point(*this, at, on_segment);
       const T reaction = bed_.stiffness * pressed(point.depth);
       T squared = bed_.creep_speed * bed_.creep_speed;
       for (int i = 0; i + 1 < D; ++i)
@@ -48,8 +49,8 @@ class SeaBedKernel : public ElementKernel<SeaBedKernel<D>> {
       const T drag = bed_.friction * reaction / sqrt(squared);
       for (int i = 0; i < D; ++i) {
         const T force = i + 1 == D ? reaction : T(-drag * point.velocity[i]);
-        out[at.index(velocity, 0, i)] -= (1 - place[p]) * point.length * force;
-        out[at.index(velocity, 1, i)] -= place[p] * point.length * force;
+        out[at.index(velocity, 0, i)] -= (1 - on_segment.s) * point.length * force;
+        out[at.index(velocity, 1, i)] -= on_segment.s * point.length * force;
       }
     }
   }
@@ -60,8 +61,8 @@ class SeaBedKernel : public ElementKernel<SeaBedKernel<D>> {
   void powers(const CellInput& cell, double* powers) const override {
     const auto at = this->element(cell);
     powers[0] = 0;
-    for (int p = 0; p < points; ++p) {
-      const Point<double> point(*this, at, p);
+    for (const GaussPoint& on_segment : three_points) {
+      const Point<double> point(*this, at, on_segment);
       powers[0] -= point.length * bed_.stiffness * pressed(point.depth) * point.velocity[D - 1];
     }
     powers[1] = this->residual_times(cell, velocity) - powers[0];
@@ -69,8 +70,8 @@ class SeaBedKernel : public ElementKernel<SeaBedKernel<D>> {
   void energies(const CellInput& cell, double* energies) const override {
     const auto at = this->element(cell);
     energies[0] = 0;
-    for (int p = 0; p < points; ++p) {
-      const Point<double> point(*this, at, p);
+    for (const GaussPoint& on_segment : three_points) {
+      const Point<double> point(*this, at, on_segment);
       const double above = point.depth + bed_.onset;
       if (point.depth > bed_.onset)
         energies[0] += point.length * bed_.stiffness *
@@ -83,11 +84,6 @@ class SeaBedKernel : public ElementKernel<SeaBedKernel<D>> {
   std::vector<double> sample_amplitudes() const override { return {1.0, 0.05}; }
 
  private:
-  // Gauss' rule along a segment.
-  static constexpr int points = 3;
-  static constexpr double place[points] = {0.11270166537925831, 0.5, 0.88729833462074169};
-  static constexpr double weight[points] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-
   template <class T>
   struct Point {
     double length = 0;      // m of reference that it stands for
@@ -95,23 +91,19 @@ class SeaBedKernel : public ElementKernel<SeaBedKernel<D>> {
     Vector<T, D> velocity;  // m/s
 
     template <class Element>
-    Point(const SeaBedKernel& kernel, const Element& at, int p) {
-      Vector<double, D> reference;
-      Vector<T, D> moved;
+    Point(const SeaBedKernel& kernel, const Element& at, const GaussPoint& on_segment) {
+      const PointOnSegment<T, D> place(at, SeaBedKernel::displacement, on_segment);
+      const double s = on_segment.s;
       double squared = 0;
-      const double s = place[p];
       for (int i = 0; i < D; ++i) {
         const double way = at.coordinate(1, i) - at.coordinate(0, i);
         squared += way * way;
-        reference[i] = at.coordinate(0, i) + s * way;
-        moved[i] = (1 - s) * at.value(SeaBedKernel::displacement, 0, i) +
-                   s * at.value(SeaBedKernel::displacement, 1, i);
         velocity[i] = (1 - s) * at.value(SeaBedKernel::velocity, 0, i) +
                       s * at.value(SeaBedKernel::velocity, 1, i);
       }
-      length = weight[p] * std::sqrt(squared);
-      depth =
-          at_place(kernel.level_, reference, moved, at.time()) - reference[D - 1] - moved[D - 1];
+      length = on_segment.weight * std::sqrt(squared);
+      depth = at_place(kernel.level_, place.reference, place.displacement, at.time()) -
+              place.reference[D - 1] - place.displacement[D - 1];
     }
   };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hawser/physics/field_use.hpp"
+#include "hawser/physics/vector_parameters.hpp"
 #include "hawser/report/report_name.hpp"
 
 namespace hawser {
@@ -39,10 +40,9 @@ ForceReport::ForceReport(const ForceDeck& deck, const ReportContext& context,
   if (deck_.axis.value.empty()) {
     deck_.axis.value.assign(dimension, 0);
     deck_.axis.value[0] = 1;
-  } else if (deck_.axis.value.size() != dimension) {
-    diagnostics.error(deck.axis.location, "the axis of force '" + deck.name + "' has " +
-                                              std::to_string(deck.axis.value.size()) +
-                                              " components, the mesh " + std::to_string(dimension));
+  } else {
+    check_components(deck.axis, "the axis of force '" + deck.name + "'", mesh_.dimension,
+                     diagnostics);
   }
 }
 

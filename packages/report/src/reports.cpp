@@ -44,13 +44,6 @@ std::vector<Column> Reports::columns() const {
   return columns;
 }
 
-std::vector<double> Reports::row() const {
-  std::vector<double> row;
-  for (const auto& report : all_)
-    row.insert(row.end(), report->values().begin(), report->values().end());
-  return row;
-}
-
 void Reports::look_ahead(const Outlook& outlook, Diagnostics& diagnostics) const {
   for (const auto& report : all_)
     report->look_ahead(outlook, diagnostics);
@@ -66,13 +59,15 @@ void Reports::start(const ReportStart& start) {
 void Reports::accepted(const Step& step) {
   for (const auto& report : all_)
     report->accepted(step);
-  const std::vector<double> values = row();
+  row_.clear();
   for (const auto& report : all_)
-    report->recorded(values);
+    row_.insert(row_.end(), report->values().begin(), report->values().end());
+  for (const auto& report : all_)
+    report->recorded(row_);
 }
 
 void Reports::write(const Step& step, bool history_due, bool fields_due) {
-  if (history_due) history_->append(row());
+  if (history_due) history_->append(row_);
   for (const auto& report : all_)
     report->write(step, fields_due);
 }

@@ -11,6 +11,7 @@
 #include "hawser/values/curve.hpp"
 #include "src/kept_case.hpp"
 #include "src/plugins.hpp"
+#include "src/uniform_motion.hpp"
 
 namespace hawser {
 namespace {
@@ -86,25 +87,6 @@ struct Case::Content {
 
 Case::Case(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
 
-namespace {
-
-void check_uniform_motion(const RunDeck& deck, Diagnostics& diagnostics) {
-  const auto& velocity = deck.start.equilibrium->velocity;
-  const auto dimension = static_cast<std::size_t>(deck.mesh.dimension());
-  if (velocity->size() != dimension)
-    diagnostics.error(velocity.location, "velocity has " + std::to_string(velocity->size()) +
-                                             " components, the mesh " + std::to_string(dimension));
-  if (deck.time.steady())
-    diagnostics.error(velocity.location,
-                      "a run with scheme=\"steady\" has no motion to start from; let the water "
-                      "come instead, with the current less this velocity");
-  if (deck.mesh.tow_box || deck.mesh.water_box)
-    diagnostics.error(velocity.location,
-                      "uniform motion is for a mesh of lines alone, without water around them");
-}
-
-}  // namespace
-
 std::shared_ptr<Case::Content> Case::read(const Environment& environment,
                                           const std::shared_ptr<InputFiles>& files,
                                           const std::string& deck, std::vector<DeckChange> changes,
@@ -129,8 +111,7 @@ std::shared_ptr<Case::Content> Case::read(const Environment& environment,
   communicator.together([&] { content->make_modules(diagnostics); });
   content->reports = plan_reports(content->deck, content->registries.reports, diagnostics);
   const auto& equilibrium = content->deck.start.equilibrium;
-  if (equilibrium && !equilibrium->velocity->empty())
-    check_uniform_motion(content->deck, diagnostics);
+  check_uniform_motion(content->deck, diagnostics);
   if (equilibrium && equilibrium->continuation)
     equilibrium->continuation->check(content->text.root.names.get(), diagnostics);
   diagnostics.throw_if_any();
@@ -210,7 +191,7 @@ const std::string& Case::home() const { return content_->home; }
 std::optional<double> Case::end() const { return content_->end; }
 std::optional<double> Case::end_of_deck() const { return content_->end_of_deck; }
 bool Case::has_mesh_file() const { return deck().mesh.file.has_value(); }
-bool Case::has_line_mesh() const { return deck().mesh.line.has_value(); }
+bool Case::has_line_mesh() const { return deck().mesh.line || deck().mesh.lines; }
 
 std::string Case::resolved_deck() const {
   return hawser::resolved_deck(text().root, deck_language(content_->registries));

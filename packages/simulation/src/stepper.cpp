@@ -16,6 +16,7 @@
 #include "src/equilibrium.hpp"
 #include "src/kept_case.hpp"
 #include "src/system.hpp"
+#include "src/uniform_motion.hpp"
 
 namespace hawser {
 namespace {
@@ -93,7 +94,7 @@ void Stepper::check_sources() const {
   if (started_) start.time = history.time, start.value = history.value;
   start.step = time.steady() ? std::numeric_limits<double>::infinity() : time.step;
   const bool is_solved_for = deck.start.equilibrium && !started_;
-  if (is_solved_for) drift_of_start();
+  if (is_solved_for) drift_of_start(*system_, deck);
   system_->conditions->check_sources(start, time.step, time.end, time.steady() || is_solved_for);
 }
 
@@ -103,44 +104,13 @@ void Stepper::start() {
   started_ = true;
 }
 
-/// What moves along must be prescribed to move alike.
-std::array<double, 3> Stepper::drift_of_start() const {
-  const auto& velocity = case_.deck().start.equilibrium->velocity;
-  std::array<double, 3> drift{};
-  if (velocity->empty()) return drift;
-  if (system_->mesh.has_body())
-    throw DeckError(velocity.location.text() +
-                    ": uniform motion is for a mesh of lines alone, without water around them");
-  std::copy(velocity->begin(), velocity->end(), drift.begin());
-  State start = system_->problem->state();
-  start.step = case_.deck().time.step;  // it moves
-  const DofMap& dofs = *system_->dofs;
-  std::vector<char> is_of_structure(static_cast<std::size_t>(dofs.rows()), 0);
-  for (const auto& pair : system_->assembler->kinematic_pairs())
-    is_of_structure[static_cast<std::size_t>(pair.velocity)] = 1;
-  double worst = 0, size = 0;
-  for (const double component : drift)
-    size = std::max(size, std::abs(component));
-  for (const PrescribedRow& row : system_->conditions->prescribed(start, start))
-    if (is_of_structure[static_cast<std::size_t>(row.row)] != 0)
-      worst = std::max(
-          worst,
-          std::abs(row.value - drift[static_cast<std::size_t>(dofs.info(row.row).component)]));
-  worst = case_.communicator().max(worst);
-  if (worst > 1e-6 * size)
-    throw DeckError(velocity.location.text() + ": at t = " + write_value(time()) +
-                    " s a node is prescribed to move otherwise, by " + write_value(worst) +
-                    " m/s, and in uniform motion all moves alike; a <track> without a ramp, or a "
-                    "prescribed displacement of velocity * t, does");
-  return drift;
-}
-
 void Stepper::find_equilibrium() {
   const auto lap = newton_watch_.lap();
   const RunDeck& deck = case_.deck();
   const EquilibriumDeck& wanted = *deck.start.equilibrium;
   EquilibriumOptions options{deck.solver.linear, deck.solver.newton,
-                             wanted.relaxation_step.value_or(deck.time.step), drift_of_start()};
+                             wanted.relaxation_step.value_or(deck.time.step),
+                             drift_of_start(*system_, deck)};
   options.newton.tolerance = wanted.tolerance.value_or(options.newton.tolerance);
   options.newton.max_iterations = wanted.max_iterations;
   CoupledProblem& problem = *system_->problem;

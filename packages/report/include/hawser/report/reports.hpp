@@ -33,11 +33,11 @@ class Reports {
 
  private:
   std::vector<Column> columns() const;  ///< of history.csv
-  std::vector<double> row() const;      ///< of the last step
 
   Communicator communicator_;
   std::vector<std::unique_ptr<Report>> all_;
   StepReport* steps_;
+  std::vector<double> row_;  // of history.csv, of the last step
   std::unique_ptr<History> history_;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 // Stable: part of the interface for programs that embed Hawser (doc/embedding.md).
-#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -116,7 +115,6 @@ class Stepper {
   NonlinearReport solve(double length);
   void accept(const Attempt& attempt);
   void find_equilibrium();
-  std::array<double, 3> drift_of_start() const;
   Attempt told(Attempt attempt);
   /// Tells of a rejected step and shortens the next; SolveError when it cannot be shorter.
   Attempt cut(Attempt attempt);
