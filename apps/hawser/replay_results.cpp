@@ -71,6 +71,7 @@ void write_results(const std::string& folder, const ReplayResults& results) {
                {"speed_m_per_s", line.speed},
                {"cable_length_m", line.length()},
                {"origin_m", {line.origin[0], line.origin[1]}},
+               {"frame", line.frame},
                {"smooth_s", line.smooth},
                {"head_noise_m", line.head_noise},
                {"notes", line.notes}};

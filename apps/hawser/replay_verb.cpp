@@ -35,8 +35,8 @@ ReplayParameter& parameter_named(std::vector<ReplayParameter>& parameters, const
                                  const std::string& asked_by, bool to_fit) {
   std::vector<std::string> names;
   for (ReplayParameter& parameter : parameters) {
-    if (parameter.name == name && (parameter.is_fitted || !to_fit)) return parameter;
-    if (parameter.is_fitted || !to_fit) names.push_back(parameter.name);
+    if (parameter.name == name && (parameter.may_be_fitted || !to_fit)) return parameter;
+    if (parameter.may_be_fitted || !to_fit) names.push_back(parameter.name);
   }
   throw Error(ExitCode::usage, asked_by + ": there is no '" + name + "'; there are " +
                                    listed(names) + did_you_mean(name, names));
@@ -190,7 +190,7 @@ class Replay {
     results.positions = found.positions;
     std::vector<ReplayParameter> all;
     for (const ReplayParameter& parameter : parameters_)
-      if (parameter.is_fitted) all.push_back(parameter);
+      if (parameter.may_be_fitted) all.push_back(parameter);
     const auto cosines = likeness(
         line_, found.positions, all, values_of(all),
         [&](const std::vector<double>& values) { return run_with(all, values).positions; });

@@ -4,7 +4,6 @@
 #include <proj.h>
 
 #include <cmath>
-#include <cstdio>
 
 #include "hawser/base/error.hpp"
 
@@ -68,50 +67,6 @@ std::string Chart::ellipsoid() const {
   proj_ellipsoid_get_parameters(context, ellipsoid.get(), &axis, nullptr, nullptr,
                                 &inverse_flattening);
   return fmt::format("{} {:.3f} {:.7f}", proj_get_name(ellipsoid.get()), axis, inverse_flattening);
-}
-
-namespace {
-
-/// Days since 1970 of the first of January.
-long long days_before(int year) {
-  const long long y = year - 1;
-  return 365 * (y - 1969) + (y / 4 - 1969 / 4) - (y / 100 - 1969 / 100) + (y / 400 - 1969 / 400);
-}
-
-bool is_leap(int year) { return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0; }
-
-}  // namespace
-
-std::string read_clock(const std::string& text, double& seconds) {
-  std::string needed = "needed is a date and a time of UTC, such as 2026-05-03T10:00:00Z";
-  int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, read = 0;
-  if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d:%2dZ%n", &year, &month, &day, &hour, &minute,
-                  &second, &read) != 6 ||
-      static_cast<std::size_t>(read) != text.size() || text.size() != 20)
-    return needed;
-  const int lengths[] = {31, is_leap(year) ? 29 : 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-  if (year < 1970 || month < 1 || month > 12 || day < 1 || day > lengths[month - 1] || hour < 0 ||
-      hour > 23 || minute < 0 || minute > 59 || second < 0 || second > 59)
-    return "there is no such day or time; " + needed;
-  long long days = days_before(year) + day - 1;
-  for (int m = 1; m < month; ++m)
-    days += lengths[m - 1];
-  seconds = 86400.0 * static_cast<double>(days) + 3600 * hour + 60 * minute + second;
-  return "";
-}
-
-ClockTime clock_time(double seconds) {
-  const long long whole = std::llround(seconds);
-  const long long days = whole / 86400, of_day = whole % 86400;
-  ClockTime time;
-  time.year = 1970;
-  while (days_before(time.year + 1) <= days)
-    ++time.year;
-  time.day_of_year = static_cast<int>(days - days_before(time.year)) + 1;
-  time.hour = static_cast<int>(of_day / 3600);
-  time.minute = static_cast<int>(of_day % 3600 / 60);
-  time.second = static_cast<double>(of_day % 60);
-  return time;
 }
 
 }  // namespace hawser

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/navigation/clock.hpp"
 
 namespace hawser {
 namespace {
@@ -66,7 +67,7 @@ std::string write_p190(const NavigationLine& line, const Chart& chart, const P19
     const Chart::Geographic at = chart.geographic(head);
     const ClockTime time = clock_time(options.epoch + shot.time);
     for (const char mark : {'V', 'S'})
-      text += fmt::format("{}{:<12}   1{} {}{}{}{}{}{:>6}{:03d}{:02d}{:02d}{:02.0f} \n", mark, name,
+      text += fmt::format("{}{:<12}   1{} {}{}{}{}{}{:>6}{:03d}{:02d}{:02d}{:02d} \n", mark, name,
                           mark == 'S' ? '1' : ' ',
                           fitted(fmt::format("{:6d}", shot.number), 6, "the number of shot"),
                           degrees(at.latitude, 2, 'N', 'S'), degrees(at.longitude, 3, 'E', 'W'),

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "hawser/base/error.hpp"
+#include "hawser/navigation/clock.hpp"
 #include "hawser/navigation/write_p190.hpp"
 
 namespace hawser {

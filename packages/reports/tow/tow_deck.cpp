@@ -5,6 +5,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/navigation/chart.hpp"
+#include "hawser/navigation/clock.hpp"
 #include "hawser/report/report_name.hpp"
 
 namespace hawser {

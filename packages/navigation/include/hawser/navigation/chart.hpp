@@ -1,5 +1,5 @@
 #pragma once
-// Where on the Earth a frame in metres lies, by PROJ, and when on the calendar t = 0 is.
+// Where on the Earth a frame in metres lies, by PROJ.
 #include <memory>
 #include <string>
 
@@ -32,16 +32,5 @@ class Chart {
   std::string crs_;
   std::unique_ptr<Handles> handles_;
 };
-
-/// UTC.
-struct ClockTime {
-  int year = 0, day_of_year = 0, hour = 0, minute = 0;
-  double second = 0;
-};
-
-/// Sets `seconds` since 1970 from "2026-05-03T10:00:00Z" and returns "", or what is wrong.
-std::string read_clock(const std::string& text, double& seconds);
-/// Rounded to whole seconds, as P1/90 has them.
-ClockTime clock_time(double seconds);
 
 }  // namespace hawser

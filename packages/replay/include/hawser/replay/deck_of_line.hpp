@@ -8,8 +8,8 @@ namespace hawser {
 /// A parameter of that deck.
 struct ReplayParameter {
   std::string name, unit, meaning;
-  std::string value;           ///< as decks have it
-  bool is_fitted = false;      ///< may be
+  std::string value;  ///< as decks have it
+  bool may_be_fitted = false;
   double change = 0;           ///< SI, by which a difference is taken
   double least = 0, most = 0;  ///< SI, what a fit may find
 };

@@ -23,8 +23,6 @@ struct FitIteration {
 struct FitResult {
   std::vector<double> values{}, standard_errors{};  ///< SI, per parameter
   std::vector<std::vector<double>> correlations{};  ///< of the errors of two
-  /// m, root mean square of the change of all places per standard error of the parameter alone.
-  std::vector<double> effects{};
   std::vector<FitIteration> iterations{};
   Positions positions{};
   double independent = 0;  ///< places that count as measured independently

@@ -19,6 +19,7 @@ struct LineOptions {
 
 struct MeasuredLine {
   std::string file{}, format{};
+  std::vector<std::string> frame{};  ///< header records on datum, projection and units
   std::vector<int> shot_numbers{}, receivers{};
   std::vector<double> arc_lengths{};         ///< m, per receiver, from 0 at the head
   std::vector<double> times{};               ///< s, per shot, from 0
