@@ -33,7 +33,7 @@ def draw_map(folder, residuals):
 
 
 def draw_errors(folder, shots, residuals):
-    figure, (by_shot, histogram) = plt.subplots(1, 2, figsize=(10, 4))
+    figure, (by_shot, histogram) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
     minutes = shots["time_s"] / 60
     for prefix, (columns, name, colour, _) in (("", KINDS[1]), ("path_", KINDS[2])):
         by_shot.plot(minutes, shots[f"{prefix}rms_m"], color=colour, label=f"{name}, rms")
@@ -44,7 +44,7 @@ def draw_errors(folder, shots, residuals):
     by_shot.set(xlabel="time from the first shot (min)", ylabel="off by (m)", ylim=(0, None))
     histogram.set(xlabel="off by (m)", ylabel="places", xscale="log")
     for axes in (by_shot, histogram):
-        axes.legend(fontsize=8)
+        axes.legend(fontsize=8, ncol=2, loc="lower center", bbox_to_anchor=(0.5, 1))  # no curve beneath it
     figure.savefig(folder / "errors.png", dpi=150, bbox_inches="tight")
 
 
