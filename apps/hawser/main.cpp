@@ -45,6 +45,15 @@ int perform(const OnRanks& action) {
   return code;
 }
 
+/// Without the second blank line before the verbs: all of them fit on a screen of 24 lines.
+class OneScreen : public CLI::Formatter {
+ public:
+  std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override {
+    const std::string text = CLI::Formatter::make_subcommands(app, mode);
+    return text.empty() ? text : text.substr(1);
+  }
+};
+
 /// Verbs and options that there are not, with the nearest that there is; else the error's own
 /// words.
 std::string explained(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
@@ -93,6 +102,7 @@ Action read_command_line(CLI::App& app, const std::vector<Verb>& verbs, int argc
 int main(int argc, char** argv) {
   CLI::App app{
       "Hawser: towed cables in a current, and what else its parts can be put together to do."};
+  app.formatter(std::make_shared<OneScreen>());
   app.set_version_flag("--version", HAWSER_VERSION);
   app.require_subcommand(1);
   app.footer("hawser VERB --help says more about each, with an example. Manual: man hawser");
