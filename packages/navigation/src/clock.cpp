@@ -7,7 +7,7 @@
 namespace hawser {
 
 std::string read_clock(const std::string& text, double& seconds) {
-  const std::string needed = "needed is a date and a time of UTC, such as 2026-05-03T10:00:00Z";
+  std::string needed = "needed is a date and a time of UTC, such as 2026-05-03T10:00:00Z";
   std::tm given{};
   int read = 0;
   if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d:%2dZ%n", &given.tm_year, &given.tm_mon,
